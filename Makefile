@@ -1,0 +1,224 @@
+# The course's commands; `make help` explains them. Nothing but make, a C11
+# compiler and stb is needed. Works with GNU make 3.81 and later.
+
+#: make             build every chapter and draw its picture, build/NN-name.png
+#: make 04          the same for chapter 4;  ARGS="--size 320x240 --help": its options
+#: make mine-04     the same with your own exercises in place of the solutions
+#:                  MINE=all: those of every chapter;  MINE="04-sphere 05-triangle": of these
+#: make test-04     the chapter's tests on your exercises
+#:                  T=root: only the tests whose name contains it
+#: make hint-04     a hint for every exercise;  N=2, N=3: more of it;  T=root: for this one
+#: make progress    every exercise: not started, wrong or right
+#: make test        every chapter's tests, on the solutions;  TAP=1;  JUNIT=file
+#: make measure-04  error and cost of the chapter's variants: a table, CSV, plots
+#: make measure     the same for all, and one page: build/measure/index.html
+#: make clean       remove build/
+#:
+#: For those who work on the course:
+#: make test-solutions-04   one chapter's tests on its solutions
+#: make check       tests, stubs, wrong answers, texts, pictures, staircase, format
+#: make texts       renew the measured tables and the pictures in the texts
+#: make format      lay out all C code
+#:
+#: With all of them: REAL=double for double instead of float, CC=clang, SAN=1 for
+#: the sanitizers, EXERCISES=dir for another folder than exercises/, make -j2.
+
+ifeq ($(origin CC),default)
+CC := cc
+endif
+REAL ?= float
+EXERCISES ?= exercises
+ifeq ($(filter $(REAL),float double),)
+$(error REAL is float or double, not "$(REAL)")
+endif
+
+# ---- flags -------------------------------------------------------------------
+# One folder of objects for each flavour: mixed objects would give wrong programs.
+F := $(notdir $(firstword $(CC)))-$(REAL)$(if $(SAN),-san)$(if $(TIMED),-timed)
+B := build/$F
+
+ifeq ($(origin STB_CFLAGS),undefined)
+STB_CFLAGS := $(shell sh tests/tools/stb.sh)
+endif
+ifeq ($(origin OPENMP),undefined)
+OPENMP := $(shell sh tests/tools/openmp.sh $(CC))
+endif
+ifeq ($(origin CFLAGS),undefined)
+CFLAGS := $(if $(TIMED),-O3 -march=native -flto,-O2) -g
+endif
+comma := ,
+STRICT := -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -I. \
+	-Wall -Wextra -Wpedantic -Wshadow $(if $(WERROR),-Werror) $(if $(OPENMP),,-Wno-unknown-pragmas) \
+	$(if $(filter double,$(REAL)),-DREAL_IS_DOUBLE) \
+	$(if $(SAN),-fsanitize=address$(comma)undefined -fno-sanitize-recover=all)
+COMPILE = @mkdir -p $(@D) && $(CC) $(STRICT) $(OPENMP) $(STB_CFLAGS) $(CFLAGS) -MMD -MP
+LINK    = @mkdir -p $(@D) && $(CC) $(STRICT) $(OPENMP) $(CFLAGS) -o $@ $(filter %.o,$^) -lm
+
+# ---- what there is -----------------------------------------------------------
+CHAPTERS := $(patsubst chapters/%/,%,$(sort $(wildcard chapters/*/)))
+number = $(firstword $(subst -, ,$1))
+
+# UPTO_c: chapter c and all before it, the ones whose modules it may use.
+$(foreach c,$(CHAPTERS),$(eval SO_FAR += $c)$(eval UPTO_$c := $(SO_FAR)))
+
+# MINE: the chapters whose exercises are the student's own.
+MINE_CHAPTERS := $(if $(filter all,$(MINE)),$(CHAPTERS),$(MINE))
+ifneq ($(filter-out $(CHAPTERS),$(MINE_CHAPTERS)),)
+$(error MINE: no chapter "$(filter-out $(CHAPTERS),$(MINE_CHAPTERS))"; there are: $(CHAPTERS))
+endif
+
+# ---- which objects make a program ----------------------------------------------
+# A chapter's module declares its exercises and calls them. Each is defined once,
+# by a file in solutions/ or by one in $(EXERCISES)/: exactly one of them is linked.
+OWN     := $B/own/$(subst /,_,$(EXERCISES))
+COMMON  := $(patsubst %.c,$B/obj/%.o,$(wildcard common/*.c))
+CHECK   := $B/obj/tests/check.o $B/obj/tests/check_values.o
+modules  = $(patsubst %.c,$B/obj/%.o,$(filter-out %/main.c %/measure.c,$(foreach c,$(UPTO_$1),$(wildcard chapters/$c/*.c))))
+answers  = $(patsubst %.c,$B/obj/%.o,$(wildcard solutions/$1/*.c))
+own      = $(patsubst $B/obj/solutions/%,$(OWN)/%,$(call answers,$1))
+solved   = $(foreach c,$(UPTO_$1),$(call answers,$c))
+# The student's answers of the chapters in MINE, of just this one if that is not set.
+mine     = $(foreach c,$(UPTO_$1),$(if $(filter $c,$(or $(MINE_CHAPTERS),$1)),$(call own,$c),$(call answers,$c)))
+# Every solution but the one of exercise $2, which another object stands in for.
+all_but  = $(filter-out $B/obj/solutions/$1/$2.o,$(call solved,$1))
+# tests/04-sphere/wrong/nearest_root-larger.c answers the exercise nearest_root.
+exercise = $(firstword $(subst -, ,$(notdir $(basename $1))))
+exercises = $(notdir $(basename $(wildcard solutions/$1/*.c)))
+variants = $(wildcard tests/$1/wrong/*.c tests/$1/right/*.c)
+
+# ---- commands --------------------------------------------------------------------
+.PHONY: all help test check texts progress measure format clean FORCE
+.SECONDARY:
+.SUFFIXES:
+
+all: $(CHAPTERS:%=build/%.png)
+	@echo "The pictures:"; for picture in $^; do echo "  $$picture"; done
+
+help:
+	@sed -n 's/^#: \{0,1\}//p' Makefile
+
+# $1 chapter (04-sphere), $2 its number (04)
+define chapter_rules
+.PHONY: $2 mine-$2 test-$2 test-solutions-$2 hint-$2 measure-$2
+TESTED_$1 := $B/obj/tests/$1.o $(CHECK) $(call modules,$1) $(COMMON)
+
+$B/$1: $B/obj/chapters/$1/main.o $(call modules,$1) $(call solved,$1) $(COMMON)
+	$$(LINK)
+	@ln -sf $F/$1 build/$1
+$B/mine/$1: $B/obj/chapters/$1/main.o $(call modules,$1) $(call mine,$1) $(COMMON) FORCE
+	$$(LINK)
+$B/measure/$1: $B/obj/chapters/$1/measure.o $(call modules,$1) $(call solved,$1) $(COMMON)
+	$$(LINK)
+$B/test/$1: $$(TESTED_$1) $(call solved,$1)
+	$$(LINK)
+$B/test-mine/$1: $$(TESTED_$1) $(call mine,$1) FORCE
+	$$(LINK)
+
+build/$1.png: $B/$1
+	$B/$1 --out $$@ $$(ARGS)
+$2: $B/$1
+	$B/$1 --out build/$1.png $$(ARGS)
+	@echo "The picture: build/$1.png"
+mine-$2: $B/mine/$1
+	@mkdir -p build/mine
+	$B/mine/$1 --out build/mine/$1.png $$(ARGS)
+	@echo "The picture: build/mine/$1.png"
+test-$2: $B/test-mine/$1
+	@SOLUTIONS=solutions/$1/ $B/test-mine/$1
+test-solutions-$2: $B/test/$1
+	@$B/test/$1
+hint-$2:
+	@sh tests/tools/hint.sh $1 "$$(or $$(N),1)" "$$(T)"
+
+build/measure/$1.$(REAL).csv: $B/measure/$1 FORCE
+	@mkdir -p $$(@D)
+	$B/measure/$1 > $$@
+measure-$2:
+	@$$(MAKE) --no-print-directory TIMED=1 REAL=float build/measure/$1.float.csv
+	@$$(MAKE) --no-print-directory TIMED=1 REAL=double build/measure/$1.double.csv
+	@cat build/measure/$1.float.csv > build/measure/$1.csv
+	@sed 1d build/measure/$1.double.csv >> build/measure/$1.csv
+	@sh common/plot.sh build/measure/$1.csv build/measure
+endef
+$(foreach c,$(CHAPTERS),$(eval $(call chapter_rules,$c,$(call number,$c))))
+
+# One exercise of the student, all others solved: $1 chapter, $2 exercise.
+define one_rule
+$B/one/$1/$2: $(TESTED_$1) $(OWN)/$1/$2.o $(call all_but,$1,$2)
+	$$(LINK)
+ONE += $B/one/$1/$2
+endef
+# One answer of tests/NN-name/wrong/ or right/: $1 chapter, $2 its file.
+define variant_rule
+$B/$(basename $2): $(TESTED_$1) $B/obj/$(basename $2).o $(call all_but,$1,$(call exercise,$2))
+	$$(LINK)
+VARIANTS += $B/$(basename $2)
+endef
+$(foreach c,$(CHAPTERS),$(foreach e,$(call exercises,$c),$(eval $(call one_rule,$c,$e))))
+$(foreach c,$(CHAPTERS),$(foreach f,$(call variants,$c),$(eval $(call variant_rule,$c,$f))))
+
+$B/check-fixtures: $B/obj/tests/check-fixtures.o $(CHECK) $(COMMON)
+	$(LINK)
+$B/test/check: $B/obj/tests/check-self.o $(CHECK) $(COMMON)
+	$(LINK)
+
+test: $B/check-fixtures $B/test/check $(CHAPTERS:%=$B/test/%)
+	@FIXTURES=$B/check-fixtures sh tests/tools/run.sh $(filter $B/test/%,$^)
+
+# An answer that does not compile must not hide the others: -k, and the report tells.
+progress:
+	@rm -rf $B/one
+	@$(MAKE) -k --no-print-directory one > build/progress.log 2>&1 || true
+	@$(foreach c,$(CHAPTERS),$(foreach e,$(call exercises,$c),echo "$c $e $B/one/$c/$e";)) > build/progress.list
+	@sh tests/tools/progress.sh build/progress.list
+.PHONY: one
+one: $(ONE)
+
+measure: $(foreach c,$(CHAPTERS),measure-$(call number,$c))
+	@echo "All tables and plots: build/measure/index.html"
+
+# ---- for those who work on the course ------------------------------------------------
+SOURCES = $(wildcard common/*.[ch] tests/*.[ch] tests/tools/*.c tests/*/*/*.c chapters/*/*.[ch] exercises/*/*.c solutions/*/*.c)
+
+check: test check-stubs check-variants check-complete check-staircase check-texts check-pictures check-format
+	@echo "make check: all is well"
+
+.PHONY: check-stubs check-variants check-complete check-staircase check-texts check-pictures check-format
+check-stubs: $(ONE)
+	@sh tests/tools/stubs.sh $^
+check-variants: $(VARIANTS)
+	@sh tests/tools/variants.sh $B $^
+check-complete:
+	@sh tests/tools/complete.sh $(CHAPTERS)
+check-staircase:
+	@sh tests/tools/staircase.sh
+check-texts: $(CHAPTERS:%=$B/measure/%)
+	@sh tests/tools/texts.sh check $B $(CHAPTERS)
+check-pictures: $(CHAPTERS:%=$B/%) $B/same_picture
+	@sh tests/tools/pictures.sh check $B $(CHAPTERS)
+check-format:
+	@sh tests/tools/format.sh $(SOURCES)
+$B/same_picture: $B/obj/tests/tools/same_picture.o
+	$(LINK)
+
+texts: $(CHAPTERS:%=$B/measure/%) $(CHAPTERS:%=$B/%) $B/same_picture
+	@sh tests/tools/texts.sh renew $B $(CHAPTERS)
+	@sh tests/tools/pictures.sh renew $B $(CHAPTERS)
+format:
+	clang-format -i $(SOURCES)
+clean:
+	rm -rf build
+
+# ---- how an object is made -------------------------------------------------------------
+$B/.setup:
+	@sh tests/tools/setup.sh "$(CC)" "$(STB_CFLAGS)"
+	@mkdir -p $B && touch $@
+$B/obj/%.o: %.c | $B/.setup
+	$(COMPILE) -c -o $@ $<
+# A stub does not use its parameters yet.
+$(OWN)/%.o: $(EXERCISES)/%.c | $B/.setup
+	$(COMPILE) -Wno-unused-parameter -c -o $@ $<
+$(OWN)/%.o:
+	@echo "error: $(EXERCISES)/$*.c is missing" >&2; exit 1
+
+-include $(wildcard $B/obj/*/*.d $B/obj/*/*/*.d $B/obj/*/*/*/*.d $(OWN)/*/*.d)

@@ -1,0 +1,74 @@
+// camera.h: rays, the pinhole camera, and the loop over pixels.
+#ifndef CHAPTER_CAMERA_H
+#define CHAPTER_CAMERA_H
+
+#include "common/image.h"
+#include "common/options.h"
+#include "common/rng.h"
+
+// The points O + t d, t >= 0. d need not have unit length: t counts in |d|.
+typedef struct {
+    vec3 O, d;
+} ray;
+
+static inline vec3 ray_at(ray r, real t) {
+    return add(r.O, scale(t, r.d));
+}
+
+typedef enum { PINHOLE, ORTHOGRAPHIC, THIN_LENS } camera_kind;
+
+typedef struct {
+    vec3 eye; // the centre of projection
+    vec3 right, up,
+        forward;       // unit, mutually perpendicular, right-handed: right x up = -forward
+    int width, height; // pixels
+    real focal;        // from the eye to the image plane, in pixels
+    camera_kind kind;  // PINHOLE unless set
+    real span;         // ORTHOGRAPHIC: the height of the picture in the scene's units
+    real lens_radius,
+        focus; // THIN_LENS: the lens, and the distance that is sharp along forward
+} camera;
+
+// A pinhole camera at `eye` that looks at `target`, with `up` upwards in the
+// picture. up may have any length and may be parallel to the view. Needs
+// eye != target and 0 < fov_degrees < 180 (vertical); dies otherwise.
+camera camera_look_at(vec3 eye, vec3 target, vec3 up, real fov_degrees, int width, int height);
+
+// The ray through the point (x, y) of the picture, by the camera's kind. The
+// random numbers choose the point of the lens; the others draw none.
+ray camera_sample(const camera *cam, real x, real y, rng *g);
+
+// The light that comes back along r. The generator belongs to this sample alone.
+typedef color (*radiance)(const void *scene, ray r, rng *g);
+
+// The loop over pixels: each pixel becomes the mean of opt->samples calls of f.
+// One sample goes through the pixel's centre, several go through random points
+// of the pixel. Any number of threads gives the same picture. Samples that are
+// negative or not finite are counted and reported on stderr, and stay in the picture.
+image render(const char *what, const camera *cam, radiance f, const void *scene,
+             const options *opt);
+
+// Exercises: exercises/02-camera/ ------------------------------------------
+
+// The ray from the eye through the point (x, y) of the image plane, in pixels
+// from the top left corner, y down; (0.5, 0.5) is the centre of the first pixel.
+// O = eye; d reaches from the eye to that point, in pixels, not of unit length:
+// d = (x - w/2) right + (h/2 - y) up + focal forward.
+ray camera_ray(const camera *cam, real x, real y);
+
+// All rays parallel: d = forward; O in the plane through the eye, so that the
+// picture's height is cam->span units and its pixels are square.
+ray orthographic_ray(const camera *cam, real x, real y);
+
+// The pinhole ray bent by a thin lens: it starts in the point (u, v) of the
+// lens, in units of lens_radius along right and up, u² + v² <= 1, and passes
+// through the point where the pinhole ray meets the plane in focus, which lies
+// `focus` before the eye along forward. t = 1 there.
+ray thin_lens_ray(const camera *cam, real x, real y, real u, real v);
+
+// The unit vector to the right: perpendicular to `forward` (unit) and to `up`
+// (any length). When up is zero or parallel to forward, so that it says nothing,
+// any unit vector perpendicular to forward. Never NaN.
+vec3 camera_right(vec3 forward, vec3 up);
+
+#endif

@@ -1,0 +1,58 @@
+// triangle.h: where a ray meets a triangle, and a small mesh.
+#ifndef CHAPTER_TRIANGLE_H
+#define CHAPTER_TRIANGLE_H
+
+#include "chapters/01-rasterize/rasterize.h"
+#include "chapters/04-sphere/sphere.h"
+
+// p = (1 - u - v) p1 + u p2 + v p3, u, v >= 0, u + v <= 1. t = NO_HIT: missed.
+typedef struct {
+    real t, u, v;
+} triangle_point;
+
+// (p2 - p1) x (p3 - p1): twice the area long, outward by orientation.
+vec3 triangle_normal(triangle T);
+
+// The nearest hit with t_min < t < t_max. Edges and corners belong to the
+// triangle; zero area is never hit; both sides are. The variant that the
+// chapter's measurements justify.
+triangle_point triangle_hit(triangle T, ray r, real t_min, real t_max);
+
+hit triangle_surface(triangle T, ray r, triangle_point q);
+
+// Triangles that share their corners.
+typedef struct {
+    const vec3 *points;
+    const vec3 *normals;     // one a point, unit; or NULL: flat
+    const int (*corners)[3]; // indices of points
+    int count;               // of triangles
+} mesh;
+
+static inline triangle mesh_triangle(const mesh *m, int i) {
+    const int *k = m->corners[i];
+    return (triangle){m->points[k[0]], m->points[k[1]], m->points[k[2]]};
+}
+
+// The nearest hit of all triangles, one after the other; *index is the
+// triangle's, untouched on a miss.
+triangle_point mesh_hit(const mesh *m, ray r, real t_min, real t_max, int *index);
+
+// Exercises: exercises/05-triangle/ ----------------------------------------
+
+// The inside test of the first method: p lies in the plane of T, whose normal
+// is n = triangle_normal(T). Is it in the triangle? Edges and corners are.
+bool point_in_triangle(vec3 p, triangle T, vec3 n);
+
+// t, u, v at once, by Cramer's rule. Source: Möller and Trumbore 1997. Double
+// inside; a determinant of exactly 0 misses.
+triangle_point moller_trumbore(triangle T, ray r, real t_min, real t_max);
+
+// The watertight test: no ray passes between two triangles that share an edge
+// or a corner. Source: Woop, Benthin and Wald 2013. Double inside.
+triangle_point watertight_hit(triangle T, ray r, real t_min, real t_max);
+
+// The unit normal at (u, v), interpolated between the unit normals of the
+// corners; when they cancel, the normal n1.
+vec3 smooth_normal(vec3 n1, vec3 n2, vec3 n3, real u, real v);
+
+#endif

@@ -1,0 +1,90 @@
+// bounce.h: materials, a scene, and the bounce loop.
+#ifndef CHAPTER_BOUNCE_H
+#define CHAPTER_BOUNCE_H
+
+#include "chapters/05-triangle/triangle.h"
+
+typedef enum {
+    MIRROR, // r = d - 2(d·n)n
+    FUZZY,  // the lecture's matte: the mirrored direction and a small random vector
+    MATTE,  // as much light in every direction that the eye can be in (Lambert)
+} finish;
+
+typedef struct {
+    finish finish;
+    color albedo;   // the share of light that is reflected, 0 to 1: the slide's F
+    color albedo_2; // the other squares, when checkered
+    bool checkered; // by checks() of the point's x and z
+    real fuzz;      // FUZZY: the length of the random vector, 0 to 1
+} material;
+
+// Where the next ray starts.
+typedef enum {
+    START_BOUND,   // past the error bound of the hit: offset_origin
+    START_EPSILON, // at the point, with the fixed t_min 1e-4
+    START_NOTHING, // at the point, t_min = 0: acne
+} start_rule;
+
+typedef struct {
+    const sphere *spheres;
+    const material *sphere_materials;
+    int sphere_count;
+    const plane *planes;
+    const material *plane_materials;
+    int plane_count;
+    const mesh *meshes;
+    const material *mesh_materials;
+    int mesh_count;
+    color (*sky)(vec3 d); // the background F_B in the direction d, of any length
+    start_rule start;
+} scene;
+
+// A clear sky: white at the horizon, blue above, by the height of d.
+color clear_sky(vec3 d);
+
+// The nearest hit with t_min < t < t_max of everything in the scene; t = NO_HIT
+// on a miss. *m is its material, untouched on a miss.
+hit scene_hit(const scene *sc, ray r, real t_min, real t_max, const material **m);
+
+// The reflected share at the point p.
+color albedo_at(const material *m, vec3 p);
+
+// The next ray after the hit h of a ray with direction d, by the material and
+// the scene's start rule. d of the result is a unit vector when r.d is.
+ray bounce(const scene *sc, const material *m, ray r, hit h, rng *g);
+
+// The smallest t that counts as a hit for rays that `bounce` made.
+real start_t_min(start_rule start);
+
+// The loop exactly as on the slide, slips included: s = 0 gives white, and a
+// path of exactly s bounces is black before it can reach the sky.
+color trace_slide(const scene *sc, ray r, int s, rng *g);
+
+// Uniform on the unit sphere (Marsaglia 1972). Given: 09 derives it.
+vec3 unit_vector(rng *g);
+
+// Exercises: exercises/06-bounce/ ------------------------------------------
+
+// d mirrored in a surface with the unit normal n, on either side: d - 2(d·n)n.
+vec3 reflect(vec3 d, vec3 n);
+
+// The lecture's matte, mended: the mirrored unit direction plus fuzz times a
+// random unit vector, of unit length, never zero and never into the surface: n
+// is unit, d·n < 0, and so result·n > 0.
+vec3 fuzzy_bounce(vec3 d, vec3 n, real fuzz, rng *g);
+
+// A unit vector around the unit normal n whose density is cos θ / π per
+// steradian: Lambert's matte. Every correct method passes.
+vec3 matte_bounce(vec3 n, rng *g);
+
+// The bounce loop without the slide's slips: the light along r after at most s
+// bounces. C = 1; nearest hit; missed: C times the sky; hit with no bounce
+// left: black; else C times the albedo, and bounce. s = 0 still sees the sky.
+color trace(const scene *sc, ray r, int s, rng *g);
+
+// A start for the next ray along d, certainly on the side of the surface that
+// d points to: p moved along the unit normal n by the error bound of p and
+// then rounded away from the surface. Source: PBRT 4th ed., section 6.8.6.
+vec3 offset_origin(vec3 p, vec3 error, vec3 n, vec3 d);
+
+#endif

@@ -1,0 +1,306 @@
+// Tests of 03-plane: plane_hit, disc_hit, checks_average, and the hit record.
+#include "chapters/03-plane/plane.h"
+#include "common/measure.h"
+#include "common/wide3.h"
+#include "tests/check.h"
+
+static const char *const one_rounding = "double inside, one rounding out";
+
+static void given_plane(plane P, ray r) {
+    given("plane through x = " VEC ", n = " VEC "; ray O = " VEC ", d = " VEC, ARG(P.x),
+          ARG(P.n), ARG(r.O), ARG(r.d));
+}
+
+// Uniform in [-1, 1)³.
+static vec3 in_cube(rng *g) {
+    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
+    return (vec3){x, y, z};
+}
+
+// t in higher precision: the reference.
+static exact plane_t(plane P, ray r) {
+    const exact above = ((exact)P.x.x - r.O.x) * P.n.x + ((exact)P.x.y - r.O.y) * P.n.y +
+                        ((exact)P.x.z - r.O.z) * P.n.z;
+    return above / ((exact)r.d.x * P.n.x + (exact)r.d.y * P.n.y + (exact)r.d.z * P.n.z);
+}
+
+// A plane and a ray in generic positions, |x|, |O| up to `size`, |d| about `speed`.
+static void generic(rng *g, real size, real speed, plane *P, ray *r) {
+    P->x = scale(size, in_cube(g));
+    P->n = in_cube(g);
+    r->O = scale(size, in_cube(g));
+    r->d = scale(speed, in_cube(g));
+}
+
+// ---- plane_hit ----------------------------------------------------------------
+
+static void by_hand(void) {
+    // 2x - y + 3z = 6 through (1, 2, 2); from O = (4, -1, 5) along (1, 2, -3):
+    // above = (-3, 3, -3)·n = -18, along = 2 - 2 - 9 = -9, so t = 2.
+    const plane P = {{1, 2, 2}, {2, -1, 3}};
+    const ray r = {{4, -1, 5}, {1, 2, -3}};
+    given_plane(P, r);
+    suspect_value("O - x in place of x - O", -2);
+    suspect_value("d·n over (x - O)·n: upside down", 0.5);
+    suspect_value("n made a unit vector on one side of the fraction only", 2 / sqrt(14.0));
+    CHECK_REAL(plane_hit(P, r, 0, NO_HIT), 2, exactly());
+}
+
+static void generic_planes(void) {
+    rng g = rng_seed(3, 1);
+    for (int i = 0; i < 2000; i++) {
+        plane P;
+        ray r;
+        generic(&g, 5, 2, &P, &r);
+        const exact t = plane_t(P, r);
+        given_plane(P, r);
+        suspect_value("the distance from O, not t: t counts in |d|", (double)t * length(r.d));
+        suspect_value("a plane through the origin: x is missing",
+                      -(double)(dot(r.O, P.n) / dot(r.d, P.n)));
+        CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), t, roundings(2, one_rounding));
+    }
+}
+
+static void behind(void) {
+    const plane P = {{0.25f, -1, 0.5f}, {0.5f, 2, -0.25f}};
+    const ray r = {{1, 3, 2}, {0.5f, 0.75f, -1}};
+    given_plane(P, r);
+    CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), plane_t(P, r), roundings(2, one_rounding));
+    CHECK_REAL(plane_hit(P, r, 0, NO_HIT), NO_HIT, exactly());
+}
+
+static void interval(void) {
+    const plane P = {{0, 0, -4}, {0, 0, 1}};
+    const ray r = {{1, 2, 0}, {0, 0, -1}};
+    given("a plane that the ray meets at t = 4, exactly");
+    CHECK_REAL(plane_hit(P, r, 0, 5), 4, exactly());
+    CHECK_REAL(plane_hit(P, r, 4, 5), NO_HIT, exactly());
+    CHECK_REAL(plane_hit(P, r, 0, 4), NO_HIT, exactly());
+    CHECK_REAL(plane_hit(P, r, 3, 3.5f), NO_HIT, exactly());
+}
+
+static void either_side(void) {
+    const plane P = {{1, 2, 2}, {2, -1, 3}}, turned = {{1, 2, 2}, {-2, 1, -3}};
+    const ray r = {{4, -1, 5}, {1, 2, -3}};
+    given("the plane of before with its normal turned round: t must not change");
+    CHECK_REAL(plane_hit(turned, r, 0, NO_HIT), plane_hit(P, r, 0, NO_HIT), exactly());
+}
+
+static void parallel(void) {
+    const plane P = {{0, 1, 0}, {0, 3, 0}};
+    given("a ray above the plane and parallel to it: O = (0, 2, 0), d = (1, 0, 2)");
+    CHECK_REAL(plane_hit(P, (ray){{0, 2, 0}, {1, 0, 2}}, 0, NO_HIT), NO_HIT, exactly());
+    given("a ray inside the plane: O = (0, 1, 0), d = (1, 0, 2)");
+    CHECK_REAL(plane_hit(P, (ray){{0, 1, 0}, {1, 0, 2}}, -1, NO_HIT), NO_HIT, exactly());
+    given("d = 0: no direction");
+    CHECK_REAL(plane_hit(P, (ray){{0, 2, 0}, {0, 0, 0}}, 0, NO_HIT), NO_HIT, exactly());
+}
+
+// d·n far below any epsilon is still a hit, where d or n is short.
+static void no_epsilon(void) {
+    rng g = rng_seed(3, 2);
+    for (int k = -12; k <= 12; k += 4) {
+        for (int i = 0; i < 100; i++) {
+            plane P;
+            ray r;
+            generic(&g, 5, (real)pow(10, k), &P, &r);
+            given_plane(P, r);
+            CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), plane_t(P, r),
+                       roundings(2, one_rounding));
+        }
+    }
+}
+
+// Grazing rays: d·n / (|d| |n|) is `slope`, and the dot product cancels.
+static void grazing(void) {
+    rng g = rng_seed(3, 3);
+    const real slopes[] = {(real)1e-3, (real)1e-5, (real)1e-6};
+    for (int k = 0; k < COUNT(slopes); k++) {
+        for (int i = 0; i < 1000; i++) {
+            plane P;
+            ray r;
+            generic(&g, 5, 1, &P, &r);
+            const vec3 n = normalize(P.n);
+            r.d = add(sub(r.d, scale(dot(r.d, n), n)), scale(slopes[k] * length(r.d), n));
+            if (dot(r.d, P.n) == 0) continue;
+            given_plane(P, r);
+            CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), plane_t(P, r),
+                       roundings(sizeof(real) == 4 ? 2 : 4 / (double)slopes[k], one_rounding));
+        }
+    }
+}
+
+static void far_away(void) {
+    rng g = rng_seed(3, 4);
+    for (int i = 0; i < 1000; i++) {
+        plane P;
+        ray r;
+        generic(&g, 1, 1, &P, &r);
+        const vec3 there = scale((real)1e6, in_cube(&g)); // both shifted: x - O must not suffer
+        P.x = add(P.x, there);
+        r.O = add(r.O, there);
+        const exact t = plane_t(P, r);
+        if (t == 0) continue;
+        given_plane(P, r);
+        CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), t,
+                   roundings(sizeof(real) == 4 ? 2 : 1e4, one_rounding));
+    }
+}
+
+static void not_a_number(void) {
+    const plane P = {{0, -1, 0}, {0, 1, 0}};
+    given("a ray with a direction that is not a number");
+    CHECK_REAL(plane_hit(P, (ray){{0, 0, 0}, {0, (real)NAN, 0}}, 0, NO_HIT), NO_HIT, exactly());
+}
+
+// ---- hit_at ----------------------------------------------------------------------
+
+static void error_bound(void) {
+    rng g = rng_seed(3, 5);
+    for (int i = 0; i < 5000; i++) {
+        plane P;
+        ray r;
+        generic(&g, 100, 1, &P, &r);
+        const real t = plane_hit(P, r, 0, NO_HIT);
+        if (t == NO_HIT) continue;
+        const hit h = plane_surface(P, r, t);
+        const exact off = ((exact)h.p.x - P.x.x) * h.n.x + ((exact)h.p.y - P.x.y) * h.n.y +
+                          ((exact)h.p.z - P.x.z) * h.n.z;
+        given_plane(P, r);
+        CHECK_AT_MOST(fabs((double)off), dot(h.error, absolute(h.n)) + 300 * REAL_EPSILON,
+                      "hit.error bounds the distance from the plane; n itself is rounded");
+        CHECK_BOOL(h.front, dot(r.d, P.n) < 0);
+    }
+}
+
+// ---- disc_hit --------------------------------------------------------------------
+
+static void disc_generic(void) {
+    rng g = rng_seed(3, 6);
+    int hits = 0;
+    for (int i = 0; i < 4000; i++) {
+        disc D;
+        ray r;
+        generic(&g, 3, 2, &D.P, &r);
+        D.radius = 4 * rng_real(&g);
+        const exact t = plane_t(D.P, r);
+        const double x = (double)(r.O.x + t * r.d.x - D.P.x.x);
+        const double y = (double)(r.O.y + t * r.d.y - D.P.x.y);
+        const double z = (double)(r.O.z + t * r.d.z - D.P.x.z);
+        const double distance = sqrt(x * x + y * y + z * z);
+        if (fabs(distance - D.radius) < 1e-4) continue; // too close to call in float
+        const bool inside = distance < D.radius;
+        hits += inside;
+        given("disc at " VEC ", n = " VEC ", radius %g; ray O = " VEC ", d = " VEC
+              "; meets the plane %g from the centre",
+              ARG(D.P.x), ARG(D.P.n), (double)D.radius, ARG(r.O), ARG(r.d), distance);
+        CHECK_REAL(disc_hit(D, r, -NO_HIT, NO_HIT), inside ? (double)t : (double)NO_HIT,
+                   roundings(2, one_rounding));
+    }
+    CHECK(hits > 500, "the test itself: enough of its rays hit");
+}
+
+static void disc_rim(void) {
+    const disc D = {{{1, 2, -5}, {0, 0, 2}}, 5};
+    given("disc at (1, 2, -5), n = (0, 0, 2), radius 5; ray to (4, 6, -5), exactly on the rim");
+    CHECK_REAL(disc_hit(D, (ray){{4, 6, 0}, {0, 0, -1}}, 0, NO_HIT), 5, exactly());
+    given("the same disc, a ray to (4, 6.125, -5), outside the rim");
+    CHECK_REAL(disc_hit(D, (ray){{4, 6.125f, 0}, {0, 0, -1}}, 0, NO_HIT), NO_HIT, exactly());
+    given("the same disc from behind t_max = 4");
+    CHECK_REAL(disc_hit(D, (ray){{4, 5, 0}, {0, 0, -1}}, 0, 4), NO_HIT, exactly());
+}
+
+static void disc_of_nothing(void) {
+    const disc D = {{{1, 2, -5}, {0, 0, 1}}, 0};
+    given("a disc of radius 0, and a ray through its centre");
+    CHECK_REAL(disc_hit(D, (ray){{1, 2, 0}, {0, 0, -1}}, 0, NO_HIT), NO_HIT, exactly());
+}
+
+// ---- checks_average ----------------------------------------------------------------
+
+// The mean by brute force over n x n points.
+static double counted(double x, double z, double w, int n) {
+    long sum = 0;
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++) {
+            const double px = x + ((i + 0.5) / n - 0.5) * w, pz = z + ((k + 0.5) / n - 0.5) * w;
+            sum += ((long)floor(px) + (long)floor(pz)) & 1;
+        }
+    return (double)sum / ((double)n * n);
+}
+
+static void average_counted(void) {
+    rng g = rng_seed(3, 7);
+    for (int i = 0; i < 200; i++) {
+        const real x = 20 * rng_real(&g) - 10, z = 20 * rng_real(&g) - 10;
+        const real w = (real)0.05 + 5 * rng_real(&g);
+        const int n = 400;
+        given("x = %.9g, z = %.9g, w = %.9g", (double)x, (double)z, (double)w);
+        suspect_value("1 minus the answer: which square is 1?", 1 - counted(x, z, w, n));
+        suspect_value("a box with sides 2w", counted(x, z, 2 * w, n));
+        // Each border line between squares that cuts the box moves at most 1/(2n) of it.
+        const double lines = 2 * (ceil(w) + 1);
+        CHECK_REAL(checks_average(x, z, w), counted(x, z, w, n),
+                   absolute_of(lines / (2 * n), "counted at 400 x 400 points"));
+    }
+}
+
+static void average_limits(void) {
+    given("a small box inside a square: x = 3.5, z = -1.25, w = 0.25");
+    CHECK_REAL(checks_average(3.5f, -1.25f, 0.25f), 1, exactly());
+    given("a small box inside a square: x = 3.5, z = -2.25, w = 0.25");
+    CHECK_REAL(checks_average(3.5f, -2.75f, 0.25f), 0, exactly());
+    given("a box of two whole periods: x = 0.3, z = 0.7, w = 4: as much of each");
+    CHECK_REAL(checks_average(0.3f, 0.7f, 4), 0.5, absolute_of(4e-7, "float coordinates"));
+    rng g = rng_seed(3, 8);
+    for (int i = 0; i < 1000; i++) {
+        const real x = (real)1e6 * rng_real(&g), w = (real)1e3 * rng_real(&g) + 1;
+        const real share = checks_average(x, -x / 3, w);
+        given("x = %.9g, z = %.9g, w = %.9g", (double)x, (double)(-x / 3), (double)w);
+        CHECK(share >= 0 && share <= 1, "a mean of zeros and ones lies between 0 and 1");
+    }
+}
+
+static void board(void) {
+    given("checks at the corners of squares, negative coordinates included");
+    CHECK_INT(checks(0, 0), 0);
+    CHECK_INT(checks(-0.5f, 0.5f), 1);
+    CHECK_INT(checks(-0.5f, -0.5f), 0);
+    CHECK_INT(checks(1, 0.5f), 1);
+    CHECK_INT(checks(-1, 0.5f), 1);
+    CHECK_INT(checks((real)3e9, 0.5f), 0);
+}
+
+int main(void) {
+    static const char *const solve =
+        "Solve (O + t d - x)·n = 0 for t, by hand, for these numbers.";
+    static const char *const only_zero =
+        "Only d·n == 0, exactly, is parallel: a threshold also throws away short d.";
+    static const char *const double_inside =
+        "Float products cancel here. Work out both dot products in double.";
+    static const test tests[] = {
+        {"plane_hit: worked out by hand", by_hand, solve},
+        {"plane_hit: 2000 generic planes", generic_planes, solve},
+        {"plane_hit: what t < 0 means", behind,
+         "The plane lies behind the eye: not above t_min."},
+        {"plane_hit: t_min < t < t_max", interval, "Both ends are excluded."},
+        {"plane_hit: either side of the plane", either_side,
+         "A plane has no back that is invisible."},
+        {"plane_hit: parallel rays", parallel, "d·n = 0: 0/0 or ±infinity must become NO_HIT."},
+        {"plane_hit: tiny and huge d", no_epsilon, only_zero},
+        {"plane_hit: grazing rays", grazing, double_inside},
+        {"plane_hit: far from the origin", far_away,
+         "Subtract first: (x - O)·n, not x·n - O·n."},
+        {"plane_hit: NaN is no hit", not_a_number,
+         "Write t > t_min && t < t_max: NaN fails both."},
+        {"plane_surface: the error bound holds", error_bound, solve},
+        {"disc_hit: 4000 generic discs", disc_generic, "How far is O + t d from the centre?"},
+        {"disc_hit: the rim and the interval", disc_rim, "The rim belongs to the disc."},
+        {"disc_hit: radius 0", disc_of_nothing, "A disc without area is never hit."},
+        {"checks_average: against counting", average_counted,
+         "Average each wave, then multiply."},
+        {"checks_average: limits", average_limits, "Which squares does the box cover?"},
+        {"checks: the board itself", board, "floor, not a cast: -0.5 lies in square -1."},
+    };
+    return run_tests("03-plane", tests, COUNT(tests));
+}

@@ -1,0 +1,205 @@
+// check-fixtures.c: tests that go wrong in every way the runner knows, one way
+// each. check-self.c runs them and reads what the runner says.
+#define _POSIX_C_SOURCE 200809L
+
+#include "common/todo.h"
+#include "tests/check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+// ---- What students' code does to a process ---------------------------------
+
+// Volatile: the optimiser must not see through them.
+static int *volatile nowhere = NULL;
+static volatile int zero = 0;
+static volatile int depth = 0;
+
+static void null_pointer(void) {
+    given("a pointer to nothing");
+    *nowhere = 1;
+}
+
+static void loop(void) {
+    given("a loop without end");
+    while (zero == 0) depth = 1;
+}
+
+// A frame with a volatile array, used after the call: no tail call, no loop.
+static int recurse(int n) { // NOLINT(misc-no-recursion)
+    volatile char frame[1024];
+    frame[n % 1024] = (char)n;
+    if (zero) return n;
+    return recurse(n + 1) + frame[n % 1024];
+}
+
+static void recursion(void) {
+    depth = recurse(1);
+}
+
+static void division(void) {
+    depth = (depth + 7) / zero;
+}
+
+static void aborting(void) {
+    abort();
+}
+
+static void leaving(void) {
+    exit(3);
+}
+
+static void flood(void) {
+    while (zero == 0) printf("the same line again and again\n");
+}
+
+static void printing(void) {
+    for (int i = 1; i <= 12; i++) printf("line %d <&>\"\x01\xff\n", i);
+    CHECK(zero == 1, "this < fails & \"prints\"");
+}
+
+static real stub(void) {
+    TODO("stub is not written yet");
+    return 0;
+}
+
+static void todo_wrong(void) {
+    CHECK_REAL(stub(), 3.7, exactly());
+}
+
+static void todo_right(void) {
+    CHECK_REAL(stub(), 0, exactly());
+}
+
+static void todo_crash(void) {
+    *nowhere = (int)stub();
+}
+
+static void passing(void) {
+    given("3.7");
+    CHECK_REAL(3.7, 3.7, exactly());
+    CHECK_REAL(NAN, NAN, exactly());
+    CHECK_REAL(INFINITY, INFINITY, roundings(2, "same infinity"));
+    CHECK_VEC3(((vec3){1, 2, 3}), ((vec3){1, 2, 3}), exactly());
+    CHECK_INT(zero, 0);
+    CHECK_BOOL(zero == 0, true);
+    CHECK_AT_MOST(2.5, 2.5, "the bound belongs to it");
+    CHECK_REAL(1.0009, 1, standard_errors(4, 0.00025));
+}
+
+static void chi2(void) { // tables: NIST/SEMATECH e-Handbook, 1.3.6.7.4
+    CHECK_REAL(chi2_limit(3, 0.01), 11.345, relative_to(1e-2, "Wilson-Hilferty"));
+    CHECK_REAL(chi2_limit(10, 0.001), 29.588, relative_to(1e-2, "Wilson-Hilferty"));
+    CHECK_REAL(chi2_limit(100, 0.05), 124.342, relative_to(1e-3, "Wilson-Hilferty"));
+}
+
+// ---- Wrong values, as rows -------------------------------------------------
+// X(name of the test, what is got)
+
+// clang-format off
+#define EXPECTED 3.7
+#define REAL_ROWS(X) \
+    X(minus, -3.7) X(twice, 7.4) X(half, 1.85) X(four, 14.8) X(quarter, 0.925) \
+    X(times_pi, 3.7 * PI) X(over_pi, 3.7 / PI) X(times_2pi, 7.4 * PI) X(over_2pi, 1.85 / PI) \
+    X(square, 3.7 * 3.7) X(root, 1.9235384) X(reciprocal, 1 / 3.7) X(nothing, 0) X(nan, NAN) \
+    X(infinity, INFINITY) X(minus_infinity, -INFINITY) X(slightly, 3.7001) X(no_idea, 5.55)
+#define REAL_TEST(name, got) \
+    static void real_##name(void) { CHECK_REAL(got, EXPECTED, roundings(4, "a reason")); }
+#define REAL_ENTRY(name, got) {"real: " #name ".", real_##name, NULL},
+REAL_ROWS(REAL_TEST)
+
+// X(name of the test, x, y, z)
+#define VEC3_ROWS(X) \
+    X(negated, -0.48, 0.6, -0.64) X(flip_x, -0.48, -0.6, 0.64) X(flip_y, 0.48, 0.6, 0.64) \
+    X(flip_z, 0.48, -0.6, -0.64) X(swap_xy, -0.6, 0.48, 0.64) X(swap_yz, 0.48, 0.64, -0.6) \
+    X(swap_xz, 0.64, -0.6, 0.48) X(shift, -0.6, 0.64, 0.48) X(longer, 1.2, -1.5, 1.6) \
+    X(twice, 0.96, -1.2, 1.28) X(squared, 0.2304, 0.36, 0.4096) X(nothing, 0, 0, 0) \
+    X(nan, NAN, 0, 0) X(no_idea, 0.9, 0.2, 0.1)
+#define VEC3_TEST(name, x, y, z) \
+    static void vec3_##name(void) { \
+        CHECK_VEC3(((vec3){(real)x, (real)y, (real)z}), \
+                   ((vec3){(real)0.48, (real)-0.6, (real)0.64}), roundings(4, "a reason")); \
+    }
+#define VEC3_ENTRY(name, x, y, z) {"vec3: " #name ".", vec3_##name, NULL},
+VEC3_ROWS(VEC3_TEST)
+// clang-format on
+
+static void suspect_first(void) {
+    given("the value that the test foresaw, %d", 7);
+    suspect_value("the far side", 7.4);
+    CHECK_REAL(7.4, 3.7, exactly());
+}
+
+static void suspect_times(void) {
+    suspect_factor("the cosine is missing", 1 / 0.6);
+    CHECK_REAL(3.7 / 0.6, 3.7, roundings(4, "a reason"));
+}
+
+static void suspect_vector(void) {
+    suspect_vec3("the other side", (vec3){7, 8, 9});
+    CHECK_VEC3(((vec3){7, 8, 9}), ((vec3){1, 2, 3}), exactly());
+}
+
+static void suspects_forgotten(void) {
+    suspect_value("an old suspicion", 5.55);
+    given("something else");
+    CHECK_REAL(5.55, 3.7, exactly());
+}
+
+static void zero_expected(void) {
+    CHECK_REAL(1.5, 0, absolute_of(1e-6, "a reason"));
+}
+
+static void one_expected(void) { // its square, root and reciprocal are itself
+    CHECK_REAL(1.0005, 1, exactly());
+}
+
+static void miss_expected(void) {
+    CHECK_REAL(4.5, INFINITY, roundings(4, "a reason"));
+}
+
+static void one_too_many(void) {
+    CHECK_INT(8, 7);
+}
+
+static void wrong_bool(void) {
+    CHECK_BOOL(zero == 1, true);
+}
+
+static void too_much(void) {
+    CHECK_AT_MOST(5.5, 2.5, "chi², 3 degrees of freedom");
+}
+
+static void nan_at_most(void) {
+    CHECK_AT_MOST(NAN, 2.5, "a reason");
+}
+
+int main(void) {
+    static const test tests[] = {
+        {"crash: null pointer", null_pointer, "Look at the pointer."},
+        {"crash: loop", loop, NULL},
+        {"crash: recursion", recursion, "Where does it end?"},
+        {"crash: division", division, NULL},
+        {"crash: abort", aborting, NULL},
+        {"crash: exit", leaving, NULL},
+        {"crash: flood", flood, NULL},
+        {"print: <tag> & #1", printing, "a hint"},
+        {"todo: wrong", todo_wrong, NULL},
+        {"todo: right", todo_right, NULL},
+        {"todo: crash", todo_crash, NULL},
+        {"pass: everything", passing, NULL},
+        {"pass: chi2", chi2, NULL},
+        REAL_ROWS(REAL_ENTRY) VEC3_ROWS(VEC3_ENTRY){"suspect: first", suspect_first, NULL},
+        {"suspect: factor", suspect_times, NULL},
+        {"suspect: vector", suspect_vector, NULL},
+        {"suspect: forgotten", suspects_forgotten, NULL},
+        {"zero: expected", zero_expected, NULL},
+        {"one: expected", one_expected, NULL},
+        {"miss: expected", miss_expected, NULL},
+        {"int: one too many", one_too_many, NULL},
+        {"bool: wrong", wrong_bool, NULL},
+        {"bound: too much", too_much, NULL},
+        {"bound: nan", nan_at_most, NULL},
+    };
+    return run_tests("check-fixtures", tests, COUNT(tests));
+}

@@ -1,0 +1,8 @@
+# openmp.sh CC: prints the compiler's flag for OpenMP, or nothing where a program
+# with it cannot be built: the pixel loops then run on one core.
+probe=$(mktemp -d) || exit 0
+printf '#include <omp.h>\nint main(void) { return omp_get_max_threads() < 1; }\n' > "$probe/probe.c"
+if "$@" -fopenmp "$probe/probe.c" -o "$probe/probe" >/dev/null 2>&1 && "$probe/probe"; then
+    echo -fopenmp
+fi
+rm -rf "$probe"
