@@ -72,7 +72,7 @@ endif
 # by a file in solutions/ or by one in $(EXERCISES)/: exactly one of them is linked.
 OWN     := $B/own/$(subst /,_,$(EXERCISES))
 COMMON  := $(patsubst %.c,$B/obj/%.o,$(wildcard common/*.c))
-CHECK   := $B/obj/tests/check.o $B/obj/tests/check_values.o
+CHECK   := $(patsubst %.c,$B/obj/%.o,$(filter-out %/check-self.c %/check-fixtures.c,$(wildcard tests/check*.c)))
 modules  = $(patsubst %.c,$B/obj/%.o,$(filter-out %/main.c %/measure.c,$(foreach c,$(UPTO_$1),$(wildcard chapters/$c/*.c))))
 answers  = $(patsubst %.c,$B/obj/%.o,$(wildcard solutions/$1/*.c))
 own      = $(patsubst $B/obj/solutions/%,$(OWN)/%,$(call answers,$1))
@@ -136,8 +136,7 @@ build/measure/$1.$(REAL).csv: $B/measure/$1 FORCE
 measure-$2:
 	@$$(MAKE) --no-print-directory TIMED=1 REAL=float build/measure/$1.float.csv
 	@$$(MAKE) --no-print-directory TIMED=1 REAL=double build/measure/$1.double.csv
-	@cat build/measure/$1.float.csv > build/measure/$1.csv
-	@sed 1d build/measure/$1.double.csv >> build/measure/$1.csv
+	@cat build/measure/$1.float.csv build/measure/$1.double.csv > build/measure/$1.csv
 	@sh common/plot.sh build/measure/$1.csv build/measure
 endef
 $(foreach c,$(CHAPTERS),$(eval $(call chapter_rules,$c,$(call number,$c))))
@@ -192,18 +191,28 @@ check-complete:
 	@sh tests/tools/complete.sh $(CHAPTERS)
 check-staircase:
 	@sh tests/tools/staircase.sh
-check-texts: $(CHAPTERS:%=$B/measure/%)
-	@sh tests/tools/texts.sh check $B $(CHAPTERS)
+check-texts: error-tables
+	@sh tests/tools/texts.sh check $(CHAPTERS)
 check-pictures: $(CHAPTERS:%=$B/%) $B/same_picture
-	@sh tests/tools/pictures.sh check $B $(CHAPTERS)
+	@sh tests/tools/pictures.sh check $B README.md $(CHAPTERS:%=chapters/%/README.md)
 check-format:
 	@sh tests/tools/format.sh $(SOURCES)
 $B/same_picture: $B/obj/tests/tools/same_picture.o
 	$(LINK)
 
-texts: $(CHAPTERS:%=$B/measure/%) $(CHAPTERS:%=$B/%) $B/same_picture
-	@sh tests/tools/texts.sh renew $B $(CHAPTERS)
-	@sh tests/tools/pictures.sh renew $B $(CHAPTERS)
+# The errors alone, in float and in double: the same to the digit everywhere.
+.PHONY: error-tables
+error-tables:
+	@$(MAKE) --no-print-directory REAL=float $(CHAPTERS:%=build/errors/%.float.csv)
+	@$(MAKE) --no-print-directory REAL=double $(CHAPTERS:%=build/errors/%.double.csv)
+	@$(foreach c,$(CHAPTERS),cat build/errors/$c.float.csv build/errors/$c.double.csv > build/errors/$c.csv;)
+build/errors/%.$(REAL).csv: $B/measure/%
+	@mkdir -p $(@D)
+	@ERRORS_ONLY=1 $< > $@.new && mv $@.new $@
+
+texts: error-tables $(CHAPTERS:%=$B/%) $B/same_picture
+	@sh tests/tools/texts.sh renew $(CHAPTERS)
+	@sh tests/tools/pictures.sh renew $B README.md $(CHAPTERS:%=chapters/%/README.md)
 format:
 	clang-format -i $(SOURCES)
 clean:

@@ -35,7 +35,7 @@ void todo_note(const char *what, const char *file, int line) {
         const int count = atomic_load(&known);
         places[count] = (place){what, file, line};
         atomic_store_explicit(&known, count + 1, memory_order_release);
-        fprintf(stderr, "todo: %s (%s:%d)\n", what, file, line);
+        fprintf(stderr, "todo: %s is not written yet (%s:%d)\n", what, file, line);
     }
     atomic_flag_clear(&adding);
 }

@@ -100,6 +100,7 @@ static void crashes(void) {
         {"crash: loop", "endless loop? stopped after 1 s"},
         {"crash: flood", "flood of output: stopped after 64 KiB"},
         {"crash: null", "hint       Look at the pointer."},
+        {"crash: null", "printed    just before the crash\n"},
         {"crash: ", "0 passed, 7 failed"},
     };
     check_rows(rows, COUNT(rows), 1);
@@ -136,7 +137,7 @@ static void factors(void) {
         {"real: reciprocal.", "the reciprocal of"},
         {"real: nothing.", "looks like nothing was computed?"},
         {"real: nan.", "looks like NaN"},
-        {"real: infinity.", "or: reported as a miss"},
+        {"real: infinity.", "reported as a miss"},
         {"real: minus_infinity.", "looks like minus infinity"},
         {"real: slightly.", "got        3.7001 (off by 0.0001)"},
         {"miss: expected", "a hit was reported where there is none"},
@@ -236,7 +237,7 @@ static void tap(void) {
               0,
           "version, plan, result, diagnostics");
     must_say(run("TAP=1", "pass: chi2"), "1..1\nok 1 - pass: chi2\n");
-    must_say(run("TAP=1", "todo: right"), "not ok 1 - todo: right # TODO stub is not written");
+    must_say(run("TAP=1", "todo: right"), "not ok 1 - todo: right # TODO stub");
     const char *strays =
         "grep -v -e '^ok ' -e '^not ok ' -e '^#' -e '^TAP version 13$' -e '^1\\.\\.'";
     char command[4096];
@@ -303,7 +304,7 @@ int main(void) {
         {"pass: a passing test passes", passes, NULL},
         {"pass: chi2_limit agrees with tables", chi2_passes, NULL},
         {"crash: each kind has its message", crashes, NULL},
-        {"crash: integer division by zero", divisions, "Not every processor traps it."},
+        {"crash: integer division by zero", divisions, NULL},
         {"todo: neither a pass nor a failure", todos, NULL},
         {"message: the rows", block, NULL},
         {"message: tell-tale numbers", factors, NULL},

@@ -1,9 +1,22 @@
-// check_inside.h: what check.c and check_values.c say to each other. Tests
+// check_inside.h: what the files of the test runner say to each other. Tests
 // include check.h alone.
+//
+//     check.c            the table of tests: filter, loop, exit status
+//     check_process.c    starts a test's process and watches it from outside
+//     check_child.c      what happens inside that process: limits, crashes
+//     check_verdict.c    what its end means: passed, failed, missing
+//     check_report.c     people, TAP, JUnit, tally
+//     check_values.c     the checks and their allowances
+//     check_diagnosis.c  what a wrong answer looks like
+//     check_text.c       text that grows, numbers as text
 #ifndef TESTS_CHECK_INSIDE_H
 #define TESTS_CHECK_INSIDE_H
 
+#include "tests/check.h"
+
 #include <stddef.h>
+
+// ---- check_text.c ---------------------------------------------------------
 
 // Text that grows up to a limit; what does not fit is cut off.
 typedef struct {
@@ -17,11 +30,117 @@ void text_add(text *t, const char *format, ...) __attribute__((format(printf, 2,
 void text_row(text *t, const char *label, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+// A short text that lives until eight more are made: longer than any one check.
+const char *text_kept(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+typedef struct {
+    char chars[96];
+} short_text;
+
+// As few digits as give the same number again.
+short_text text_number(double x);
+short_text text_vec3(vec3 v);
+
+// ---- check.c --------------------------------------------------------------
+
+typedef enum { PASSED, FAILED, MISSING } verdict; // MISSING: a TODO was reached
+
+typedef struct {
+    const test *test;
+    verdict verdict;
+    double seconds;
+    text message; // FAILED: the rows; MISSING: what is missing and where
+} result;
+
+typedef struct {
+    const char *suite;
+    result *results;
+    int count, tally[3]; // tally[verdict]
+} summary;
+
+// The environment's value, or NULL when it is unset or empty.
+const char *runner_setting(const char *name);
+// Whether it is set, not empty and not 0.
+bool runner_flag(const char *name);
+// Ends the runner: "error: the test runner cannot WHAT: " and the reason in errno.
+_Noreturn void runner_die(const char *what);
+
+// ---- check_process.c ------------------------------------------------------
+
+enum { OUTPUT_LIMIT = 64 * 1024 }; // bytes
+enum { PRINTED, VERDICT };         // the two pipes from a test's process
+
+// What a test's process left behind.
+typedef struct {
+    int status; // from waitpid
+    struct {
+        size_t size;
+        char data[OUTPUT_LIMIT + 1]; // ends with a 0
+    } got[2];                        // from each pipe
+    char stopped[80];                // why the runner stopped it, or ""
+} ending;
+
+// Runs r->test in a process of its own and fills in the rest of r.
+void process_run(result *r);
+// From now on ctrl-C ends the test that runs, too.
+void process_catch_interrupts(void);
+
+// ---- check_child.c --------------------------------------------------------
+
+// A verdict is one letter and a message:
+//     p        passed
+//     f rows   failed
+//     t what   a TODO was reached
+//     c crash  crashed: the struct, then what was given
+typedef struct {
+    int signal;
+    void *address;
+} crash;
+
+enum { STACK_LIMIT = 8 << 20 }; // bytes; the usual default, for all
+
+// Seconds of processor time that a test may take.
+int child_cpu_limit(void);
+// The whole life of a test's process; the pipes' ends to write to.
+_Noreturn void child_run(const test *t, int printed_end, int verdict_end);
+
 // Ends the test that runs in this process as failed: `rows` say what was given,
 // called, expected and got.
 _Noreturn void test_failed(text *rows, const char *file, int line);
 
+// ---- check_verdict.c ------------------------------------------------------
+
+// Fills in the verdict and the message.
+void verdict_judge(result *r, const ending *e);
+
+// ---- check_report.c -------------------------------------------------------
+
+void report_start(const summary *s);
+void report_test(const result *r, int number); // number: from 1
+// The closing line, JUNIT's and TALLY's files; false when one cannot be written.
+bool report_end(const summary *s, bool all_right);
+// The same when there was no test to run.
+bool report_none(const summary *s);
+
+// ---- check_values.c -------------------------------------------------------
+
+// How far an answer of this size may be off.
+double allowance_slack(allowance allowed, double size);
+
+// |v| and |a - b| in double: the square of a large float must not overflow.
+double length_in_double(vec3 v);
+double distance_in_double(vec3 a, vec3 b);
+
+// ---- check_diagnosis.c ----------------------------------------------------
+
 // What was given last, "" when nothing was. Safe in a signal handler.
 const char *given_text(void);
+
+// What the wrong answer `got` looks like, or NULL: better silent than wrong.
+const char *diagnose_real(double got, double expected, allowance allowed);
+const char *diagnose_vec3(vec3 got, vec3 expected, allowance allowed);
+const char *diagnose_int(long got, long expected);
+// The same for NaN and infinities alone.
+const char *diagnose_odd(double got, double expected);
 
 #endif

@@ -51,10 +51,16 @@ void framebuffer_free(framebuffer *fb);
 // chapter requires.
 bool rasterize(framebuffer *fb, projection P, painted tri);
 
+// rasterize() for `count` triangles, in order. Bands of rows are shared out among
+// the cores; each pixel belongs to one band, so the picture is the same for any
+// number of threads. Returns how many triangles were refused.
+int rasterize_all(framebuffer *fb, projection P, const painted *triangles, int count);
+
 // The scene that 05-triangle traces: in generic positions, some piercing
-// each other, all in front of the eye.
+// each other, all in front of the eye. The paint includes the light (scene.c).
 extern const painted demo_triangles[];
 extern const int demo_triangle_count;
+extern const color demo_background;
 #define DEMO_FOV 50 // degrees, vertical
 
 // Exercises: exercises/01-rasterize/ ---------------------------------------

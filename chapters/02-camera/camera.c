@@ -2,34 +2,52 @@
 #include "chapters/02-camera/camera.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "common/die.h"
 #include "common/progress.h"
+#include "common/wide3.h"
+
+// From eye to target, of unit length; the largest component is divided out first,
+// so that no square overflows or vanishes.
+static wide3 direction_of_view(vec3 eye, vec3 target) {
+    const wide3 v = wide_sub(target, eye);
+    const double size = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+    if (!is_finite(eye) || !is_finite(target) || !isfinite(size))
+        die(EXIT_RUN, "camera: eye or target is not finite");
+    if (size == 0) die(EXIT_RUN, "camera: eye and target are the same point");
+    const wide3 w = {v.x / size, v.y / size, v.z / size};
+    const double length_of_w = sqrt(wide_dot(w, w));
+    return (wide3){w.x / length_of_w, w.y / length_of_w, w.z / length_of_w};
+}
+
+static real focal_in_pixels(real fov_degrees, int height) {
+    const real focal = (real)(height / 2.0 / tan(fov_degrees * PI / 360));
+    if (!(fov_degrees > 0 && fov_degrees < 180 && isfinite(focal)))
+        die(EXIT_RUN, "camera: a field of view of %g degrees: expected above 0 and below 180",
+            (double)fov_degrees);
+    return focal;
+}
 
 camera camera_look_at(vec3 eye, vec3 target, vec3 up, real fov_degrees, int width, int height) {
-    const vec3 view = sub(target, eye);
-    if (!(dot(view, view) > 0)) die(EXIT_RUN, "camera: eye and target are the same point");
-    if (!(fov_degrees > 0 && fov_degrees < 180))
-        die(EXIT_RUN, "camera: field of view %g is not between 0 and 180 degrees",
-            (double)fov_degrees);
-    const vec3 forward = normalize(view);
+    const vec3 forward = narrow(direction_of_view(eye, target));
     const vec3 right = camera_right(forward, up);
     return (camera){.eye = eye,
                     .right = right,
-                    .up = cross(right, forward),
+                    .up = narrow(wide_cross(widen(right), widen(forward))),
                     .forward = forward,
                     .width = width,
                     .height = height,
-                    .focal = (real)(height / 2.0 / tan(fov_degrees * PI / 360))};
+                    .focal = focal_in_pixels(fov_degrees, height)};
 }
 
-// A uniform point of the unit disc, by rejection.
-static void lens_point(rng *g, real *u, real *v) {
+// By rejection: a point of the square around the disc, until one lies in it.
+void lens_point(rng *g, real *u, real *v) {
+    real a, b;
     do {
-        *u = 2 * rng_real(g) - 1;
-        *v = 2 * rng_real(g) - 1;
-    } while (*u * *u + *v * *v > 1);
+        a = 2 * rng_real(g) - 1;
+        b = 2 * rng_real(g) - 1;
+    } while (a * a + b * b > 1);
+    *u = a, *v = b;
 }
 
 ray camera_sample(const camera *cam, real x, real y, rng *g) {
@@ -87,6 +105,7 @@ image render(const char *what, const camera *cam, radiance f, const void *scene,
     }
     progress_end(&p);
     if (wrong > 0)
-        fprintf(stderr, "warning: %s: %ld samples are negative or not finite\n", what, wrong);
+        fprintf(stderr, "warning: %s: %ld of %ld samples are negative or not finite\n", what,
+                wrong, p.total);
     return img;
 }

@@ -18,24 +18,27 @@ static inline vec3 ray_at(ray r, real t) {
 typedef enum { PINHOLE, ORTHOGRAPHIC, THIN_LENS } camera_kind;
 
 typedef struct {
-    vec3 eye; // the centre of projection
-    vec3 right, up,
-        forward;       // unit, mutually perpendicular, right-handed: right x up = -forward
-    int width, height; // pixels
-    real focal;        // from the eye to the image plane, in pixels
-    camera_kind kind;  // PINHOLE unless set
-    real span;         // ORTHOGRAPHIC: the height of the picture in the scene's units
-    real lens_radius,
-        focus; // THIN_LENS: the lens, and the distance that is sharp along forward
+    vec3 eye;                // the centre of projection
+    vec3 right, up, forward; // unit, perpendicular, right-handed: right x up = -forward
+    int width, height;       // pixels
+    real focal;              // from the eye to the image plane, in pixels
+    camera_kind kind;        // PINHOLE unless set
+    real span;               // ORTHOGRAPHIC: the picture's height in the scene's units
+    real lens_radius;        // THIN_LENS
+    real focus;              // THIN_LENS: the distance along forward that is sharp
 } camera;
 
 // A pinhole camera at `eye` that looks at `target`, with `up` upwards in the
-// picture. up may have any length and may be parallel to the view. Needs
-// eye != target and 0 < fov_degrees < 180 (vertical); dies otherwise.
+// picture. up may have any length and may be parallel to the view. Dies when eye
+// and target coincide or are not finite, and unless 0 < fov_degrees < 180
+// (vertical) and focal = (height / 2) / tan(fov / 2) is a finite number.
 camera camera_look_at(vec3 eye, vec3 target, vec3 up, real fov_degrees, int width, int height);
 
+// A uniform point (u, v) of the unit disc.
+void lens_point(rng *g, real *u, real *v);
+
 // The ray through the point (x, y) of the picture, by the camera's kind. The
-// random numbers choose the point of the lens; the others draw none.
+// random numbers choose the point of the lens; the other kinds draw none.
 ray camera_sample(const camera *cam, real x, real y, rng *g);
 
 // The light that comes back along r. The generator belongs to this sample alone.
@@ -67,8 +70,9 @@ ray orthographic_ray(const camera *cam, real x, real y);
 ray thin_lens_ray(const camera *cam, real x, real y, real u, real v);
 
 // The unit vector to the right: perpendicular to `forward` (unit) and to `up`
-// (any length). When up is zero or parallel to forward, so that it says nothing,
-// any unit vector perpendicular to forward. Never NaN.
+// (any length), along forward x up. When up says nothing, since it is zero, not
+// finite or parallel to forward: any unit vector perpendicular to forward. Never
+// NaN, and perpendicular to forward within rounding however near up comes to it.
 vec3 camera_right(vec3 forward, vec3 up);
 
 #endif

@@ -14,39 +14,40 @@ static color board(real share) {
                 (color){(real)0.1, (real)0.3, (real)0.2}, share);
 }
 
-static color floor_or_sky(const void *unused, ray r, rng *g) {
-    (void)unused, (void)g;
-    const real t = plane_hit(floor_plane, r, 0, NO_HIT);
+// The colour of the floor at t, or of the sky when there is no floor.
+static color look(ray r, real t) {
     if (t == NO_HIT) return sky(r.d);
     const vec3 p = ray_at(r, t);
     return board(checks(p.x, p.z));
+}
+
+static color floor_or_sky(const void *unused, ray r, rng *g) {
+    (void)unused, (void)g;
+    return look(r, plane_hit(floor_plane, r, 0, NO_HIT));
 }
 
 // The mistake: every solution counts, also the one behind the eye.
 static color also_behind(const void *unused, ray r, rng *g) {
     (void)unused, (void)g;
-    const real t = plane_hit(floor_plane, r, -NO_HIT, NO_HIT);
-    if (t == NO_HIT) return sky(r.d);
-    const vec3 p = ray_at(r, t);
-    return board(checks(p.x, p.z));
+    return look(r, plane_hit(floor_plane, r, -NO_HIT, NO_HIT));
 }
 
-typedef struct {
-    real focal, height; // pixels; of the eye above the floor
-} footprint;
-
-// One ray through the pixel's centre, and the checks averaged over a square about
-// as wide as the pixel's image on the floor: t / focal across, and longer away
-// from the eye by the slope; the geometric mean of the two.
+// The checks averaged over a square as large as the pixel's image on the floor,
+// which is distance / focal wide and longer, away from the eye, by 1 / slope.
 static color filtered(const void *scene, ray r, rng *g) {
     (void)g;
-    const footprint *foot = scene;
+    const camera *cam = scene;
     const real t = plane_hit(floor_plane, r, 0, NO_HIT);
     if (t == NO_HIT) return sky(r.d);
     const vec3 p = ray_at(r, t);
-    const real across = t * length(r.d) / foot->focal;
-    const real slope = foot->height / (t * length(r.d));
-    return board(checks_average(p.x, p.z, across / sqrt(slope)));
+    const real distance = t * length(r.d);
+    const real width = distance / cam->focal, slope = -r.d.y / length(r.d);
+    return board(checks_average(p.x, p.z, width / sqrt(slope)));
+}
+
+static radiance chosen(const options *opt) {
+    if (shows(opt, "behind")) return also_behind;
+    return shows(opt, "filtered") ? filtered : floor_or_sky;
 }
 
 static const choice pictures[] = {
@@ -68,12 +69,8 @@ int main(int argc, char **argv) {
     options opt = options_parse(argc, argv, &about);
     const vec3 eye = {(real)0.3, 0, 2}, target = {(real)0.3, (real)-0.25, 0}, up = {0, 1, 0};
     const camera cam = camera_look_at(eye, target, up, 60, opt.width, opt.height);
-    const footprint foot = {cam.focal, 1};
-    if (shows(&opt, "filtered")) opt.samples = 1;
-    const radiance f = shows(&opt, "behind")     ? also_behind
-                       : shows(&opt, "filtered") ? filtered
-                                                 : floor_or_sky;
-    image img = render(about.name, &cam, f, &foot, &opt);
+    if (shows(&opt, "filtered")) opt.samples = 1; // that is its point
+    image img = render(about.name, &cam, chosen(&opt), &cam, &opt);
     image_write(&img, opt.out);
     image_free(&img);
 }

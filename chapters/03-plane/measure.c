@@ -72,15 +72,15 @@ static vec3 in_cube(rng *g) {
     return (vec3){x, y, z};
 }
 
-// Planes within 5 units of `centre`, met at the given slope d·n / |d||n| by
+// Planes within `size` of `centre`, met at the given slope d·n / |d||n| by
 // directions about `speed` long.
-static void fill(cases *c, vec3 centre, real slope, real speed) {
+static void fill(cases *c, vec3 centre, real size, real slope, real speed) {
     rng g = rng_seed(1, 3);
     for (int i = 0; i < CASES; i++) {
         const vec3 n = in_cube(&g), unit = normalize(n), d = normalize(in_cube(&g));
         const vec3 along = normalize(sub(d, scale(dot(d, unit), unit)));
-        c->P[i] = (plane){add(centre, scale(5, in_cube(&g))), n};
-        c->r[i] = (ray){add(centre, scale(5, in_cube(&g))),
+        c->P[i] = (plane){add(centre, scale(size, in_cube(&g))), n};
+        c->r[i] = (ray){add(centre, scale(size, in_cube(&g))),
                         scale(speed, add(along, scale(slope, unit)))};
     }
 }
@@ -125,17 +125,22 @@ static void losses(const cases *c, const char *table, const char *x_name, double
 
 int main(void) {
     static cases c;
+    const vec3 origin = {0, 0, 0};
     for (int k = 0; k >= -6; k--) {
-        fill(&c, (vec3){0, 0, 0}, (real)pow(10, k), 1);
+        fill(&c, origin, 5, (real)pow(10, k), 1);
         errors(&c, "plane: grazing", "d.n / |d||n|", pow(10, k));
     }
-    for (int k = 0; k <= 9; k += 3) {
+    for (int k = 0; k <= 6; k += 2) {
         const real far = (real)pow(10, k);
-        fill(&c, (vec3){far, -far / 3, far / 7}, (real)0.5, 1);
+        fill(&c, (vec3){far, -far / 3, far / 7}, 5, (real)0.5, 1);
         errors(&c, "plane: far from the origin", "coordinates", pow(10, k));
     }
+    for (int k = -6; k <= 9; k += 3) {
+        fill(&c, origin, (real)pow(10, k), (real)0.5, 1);
+        errors(&c, "plane: size of the scene", "size", pow(10, k));
+    }
     for (int k = -12; k <= 9; k += 3) {
-        fill(&c, (vec3){0, 0, 0}, (real)0.5, (real)pow(10, k));
+        fill(&c, origin, 5, (real)0.5, (real)pow(10, k));
         losses(&c, "plane: hits lost", "|d|", pow(10, k));
     }
 }

@@ -26,27 +26,50 @@ real sphere_hit_slide(sphere S, ray r, real t_min, real t_max) {
     return nearest_root((roots){2, (-b - s) / (2 * a), (-b + s) / (2 * a)}, t_min, t_max);
 }
 
-// The remainder form, in double: the discriminant from the part of v that is
-// perpendicular to d, which does not cancel however far away the sphere is.
+// The part of the ray inside the sphere, seen from its middle. All of it is NaN for d = 0.
+typedef struct {
+    wide3 d, v;
+    double a, half_b;
+    double middle; // t of the ray's point nearest to the centre
+    wide3 l;       // from the centre to that point, perpendicular to d
+    double square; // of half the chord's length; negative: the ray passes outside
+} chord;
+
+static chord chord_of(sphere S, ray r) {
+    chord k = {.d = widen(r.d), .v = wide_sub(r.O, S.c)};
+    k.a = wide_dot(k.d, k.d);
+    k.half_b = wide_dot(k.v, k.d);
+    k.middle = -k.half_b / k.a;
+    k.l = wide_along(k.v, k.middle, k.d);
+    k.square = (double)S.r * S.r - wide_dot(k.l, k.l);
+    return k;
+}
+
 real sphere_hit(sphere S, ray r, real t_min, real t_max) {
-    const wide3 d = widen(r.d), v = wide_sub(r.O, S.c);
-    const double a = wide_dot(d, d), half_b = wide_dot(v, d), radius = S.r;
-    if (!(a > 0 && radius > 0)) return NO_HIT;
-    const wide3 l = wide_along(v, -half_b / a, d);
-    const double quarter = radius * radius - wide_dot(l, l); // discriminant / 4a
-    if (!(quarter >= 0)) return NO_HIT;
-    const double q = -(half_b + copysign(sqrt(a * quarter), half_b));
-    const double c = wide_dot(v, v) - radius * radius;
-    const double t0 = q / a, t1 = q == 0 ? t0 : c / q;
+    const chord k = chord_of(S, r);
+    if (!(S.r > 0 && k.square >= 0)) return NO_HIT; // false for NaN
+    const double c = wide_dot(k.v, k.v) - (double)S.r * S.r;
+    const double q = -(k.half_b + copysign(sqrt(k.a * k.square), k.half_b));
+    const double t0 = q / k.a, t1 = q == 0 ? t0 : c / q;
     return nearest_root((roots){2, fmin(t0, t1), fmax(t0, t1)}, t_min, t_max);
 }
 
+// From the centre to the hit at t, of length r. t only says which end of the chord: rounded,
+// it may lie a whole radius off, far away.
+static wide3 chord_end(sphere S, ray r, real t) {
+    const chord k = chord_of(S, r);
+    const double half = sqrt(fmax(k.square, 0) / k.a);
+    const wide3 end = wide_along(k.l, t <= (real)k.middle ? -half : half, k.d);
+    const double stretch = S.r / sqrt(wide_dot(end, end));
+    return (wide3){stretch * end.x, stretch * end.y, stretch * end.z};
+}
+
 hit sphere_surface(sphere S, ray r, real t) {
-    const vec3 n = normalize(sub(ray_at(r, t), S.c));
-    hit h = hit_at(r, t, n);
-    // Back onto the sphere: then the error no longer grows with the distance from O.
-    const vec3 out = scale(S.r, n);
-    h.p = add(S.c, out);
-    h.error = scale(rounding_bound(5), add(absolute(S.c), absolute(out)));
+    const wide3 out = chord_end(S, r, t), c = widen(S.c);
+    hit h = hit_at(r, t, narrow((wide3){out.x / S.r, out.y / S.r, out.z / S.r}));
+    h.p = narrow(wide_along(c, 1, out));
+    // The rounding of p, and those of the double arithmetic before it.
+    h.error = add(scale(rounding_bound(2), absolute(h.p)),
+                  scale((real)(4 * DBL_EPSILON), add(absolute(S.c), absolute(narrow(out)))));
     return h;
 }

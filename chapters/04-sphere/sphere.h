@@ -22,10 +22,14 @@ roots solve_quadratic(double a, double b, double c);
 // away (the chapter measures it). t, or NO_HIT.
 real sphere_hit_slide(sphere S, ray r, real t_min, real t_max);
 
-// The nearest hit with t_min < t < t_max, or NO_HIT. A tangent is a hit.
-// The variant that the chapter's measurements justify.
+// The nearest hit with t_min < t < t_max, or NO_HIT. A tangent is a hit; d = 0
+// hits nothing. Double inside, so |d| and all lengths may be anything a float can
+// be (as doubles: 1e-150 to 1e150). The variant that the chapter's measurements
+// justify. Source: Ray Tracing Gems, ch. 7.
 real sphere_hit(sphere S, ray r, real t_min, real t_max);
 
+// The hit at t, which is sphere_hit's. p is put onto the sphere, so that its error
+// does not grow with the distance from O: about one rounding of p itself.
 hit sphere_surface(sphere S, ray r, real t);
 
 typedef struct {
@@ -35,21 +39,26 @@ typedef struct {
 
 // Exercises: exercises/04-sphere/ ------------------------------------------
 
-// Which root? The smallest with t_min < t < t_max, or NO_HIT.
+// Which root? The smallest with t_min < t < t_max, or NO_HIT. A root is rounded to
+// real before it is compared: what comes back lies in the interval.
 real nearest_root(roots q, real t_min, real t_max);
 
-// As solve_quadratic, for coefficients of any size: no cancellation in -b ± sqrt
+// As solve_quadratic, without its losses: none in -b ± sqrt
 // (q = -(b + sign(b) sqrt(..)) / 2, roots q/a and c/q), none in b² - 4ac
-// (Kahan's difference of products), no overflow. Count exact for exact input.
+// (Kahan's difference of products). The count is exact and the roots are within
+// 4 roundings, for coefficients that are 0 or of a size from 1e-145 to 1e150.
+// Beyond, products of two overflow or lose their last bits.
 roots stable_quadratic(double a, double b, double c);
 
 // A quarter of the discriminant b² - 4ac of the sphere's quadratic, for a
-// sphere far away: a (r² - |v - (v·d/d·d) d|²). In real arithmetic. Source: Ray
-// Tracing Gems, ch. 7. Negative: the ray misses.
+// sphere far away: a (r² - |v - (v·d/d·d) d|²). Negative: the ray misses. In real
+// arithmetic, for |d|, |d| |v| and |d| r from 1e-15 to 1e15. Source: Ray Tracing
+// Gems, ch. 7.
 real far_discriminant(sphere S, ray r);
 
-// The nearest hit of the open tube, from outside or inside, or NO_HIT. A ray
-// parallel to the axis misses.
+// The nearest hit of the open tube, from outside or inside, or NO_HIT. Its rims
+// belong to it, a tangent is a hit; a ray parallel to the axis misses, and so does
+// every ray when r = 0 or a = b. Double inside.
 real cylinder_hit(cylinder C, ray r, real t_min, real t_max);
 
 #endif

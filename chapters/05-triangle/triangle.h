@@ -10,12 +10,22 @@ typedef struct {
     real t, u, v;
 } triangle_point;
 
-// (p2 - p1) x (p3 - p1): twice the area long, outward by orientation.
+// (p2 - p1) x (p3 - p1): twice the area long, outward by orientation. Double
+// inside.
 vec3 triangle_normal(triangle T);
+
+// Is that normal, in double and not rounded further, other than (0, 0, 0)? Never
+// for corners that coincide; nor for corners on one line, as long as double
+// holds the differences of their coordinates without rounding.
+bool triangle_has_area(triangle T);
+
+// The lecture's first method: the plane, then the inside test, in real
+// arithmetic. Leaks between triangles (the chapter measures how much).
+triangle_point triangle_hit_slide(triangle T, ray r, real t_min, real t_max);
 
 // The nearest hit with t_min < t < t_max. Edges and corners belong to the
 // triangle; zero area is never hit; both sides are. The variant that the
-// chapter's measurements justify.
+// chapter's measurements justify: watertight_hit.
 triangle_point triangle_hit(triangle T, ray r, real t_min, real t_max);
 
 hit triangle_surface(triangle T, ray r, triangle_point q);
@@ -34,21 +44,32 @@ static inline triangle mesh_triangle(const mesh *m, int i) {
 }
 
 // The nearest hit of all triangles, one after the other; *index is the
-// triangle's, untouched on a miss.
+// triangle's, untouched on a miss. Of two equally near the first stays.
 triangle_point mesh_hit(const mesh *m, ray r, real t_min, real t_max, int *index);
+
+// The hit of triangle `index`, its normal smooth where the mesh has normals.
+hit mesh_surface(const mesh *m, int index, ray r, triangle_point q);
+
+// A torus, closed: a tube of radius `tube` around a circle of radius `ring` in
+// the plane through `centre` perpendicular to `axis` (any length but 0), of
+// around x across points and 2 around across triangles; around, across >= 3.
+// Free it with mesh_free.
+mesh mesh_torus(vec3 centre, vec3 axis, real ring, real tube, int around, int across);
+void mesh_free(mesh *m);
 
 // Exercises: exercises/05-triangle/ ----------------------------------------
 
 // The inside test of the first method: p lies in the plane of T, whose normal
-// is n = triangle_normal(T). Is it in the triangle? Edges and corners are.
+// is n = triangle_normal(T), not 0. Is it in the triangle? Edges and corners are.
 bool point_in_triangle(vec3 p, triangle T, vec3 n);
 
 // t, u, v at once, by Cramer's rule. Source: Möller and Trumbore 1997. Double
-// inside; a determinant of exactly 0 misses.
+// inside; a determinant of exactly 0 misses; the rest as triangle_hit.
 triangle_point moller_trumbore(triangle T, ray r, real t_min, real t_max);
 
 // The watertight test: no ray passes between two triangles that share an edge
-// or a corner. Source: Woop, Benthin and Wald 2013. Double inside.
+// or a corner. Source: Woop, Benthin and Wald 2013. Double inside; the rest as
+// triangle_hit.
 triangle_point watertight_hit(triangle T, ray r, real t_min, real t_max);
 
 // The unit normal at (u, v), interpolated between the unit normals of the

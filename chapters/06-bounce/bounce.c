@@ -6,42 +6,70 @@ color clear_sky(vec3 d) {
     return lerp((color){1, 1, 1}, (color){(real)0.35, (real)0.6, 1}, fmax(height, 0));
 }
 
-hit scene_hit(const scene *sc, ray r, real t_min, real t_max, const material **m) {
-    hit nearest = {.t = NO_HIT};
-    int sphere_index = -1, plane_index = -1, mesh_index = -1, triangle_index = -1;
-    triangle_point on_triangle = {NO_HIT, 0, 0};
+// ---- the nearest hit -----------------------------------------------------------
+
+// What the ray meets first, of all that was tried so far.
+typedef struct {
+    enum { NOTHING, SPHERE, PLANE, TRIANGLE } kind;
+    int index;         // of the sphere, the plane or the mesh
+    int corner;        // TRIANGLE: which one of the mesh
+    triangle_point at; // at.t: the new t_max
+} nearest;
+
+static nearest try_spheres(const scene *sc, ray r, real t_min, nearest best) {
     for (int i = 0; i < sc->sphere_count; i++) {
-        const real t = sphere_hit(sc->spheres[i], r, t_min, t_max);
-        if (t < t_max) t_max = t, sphere_index = i;
+        const real t = sphere_hit(sc->spheres[i], r, t_min, best.at.t);
+        if (t < best.at.t) best = (nearest){SPHERE, i, 0, {t, 0, 0}};
     }
-    for (int i = 0; i < sc->plane_count; i++) {
-        const real t = plane_hit(sc->planes[i], r, t_min, t_max);
-        if (t < t_max) t_max = t, plane_index = i;
-    }
-    for (int i = 0; i < sc->mesh_count; i++) {
-        const triangle_point q = mesh_hit(&sc->meshes[i], r, t_min, t_max, &triangle_index);
-        if (q.t < t_max) t_max = q.t, mesh_index = i, on_triangle = q;
-    }
-    if (mesh_index >= 0) {
-        *m = &sc->mesh_materials[mesh_index];
-        return triangle_surface(mesh_triangle(&sc->meshes[mesh_index], triangle_index), r,
-                                on_triangle);
-    }
-    if (plane_index >= 0) {
-        *m = &sc->plane_materials[plane_index];
-        return plane_surface(sc->planes[plane_index], r, t_max);
-    }
-    if (sphere_index >= 0) {
-        *m = &sc->sphere_materials[sphere_index];
-        return sphere_surface(sc->spheres[sphere_index], r, t_max);
-    }
-    return nearest;
+    return best;
 }
+
+static nearest try_planes(const scene *sc, ray r, real t_min, nearest best) {
+    for (int i = 0; i < sc->plane_count; i++) {
+        const real t = plane_hit(sc->planes[i], r, t_min, best.at.t);
+        if (t < best.at.t) best = (nearest){PLANE, i, 0, {t, 0, 0}};
+    }
+    return best;
+}
+
+static nearest try_meshes(const scene *sc, ray r, real t_min, nearest best) {
+    for (int i = 0; i < sc->mesh_count; i++) {
+        int which = 0;
+        const triangle_point at = mesh_hit(&sc->meshes[i], r, t_min, best.at.t, &which);
+        if (at.t < best.at.t) best = (nearest){TRIANGLE, i, which, at};
+    }
+    return best;
+}
+
+hit scene_hit(const scene *sc, ray r, real t_min, real t_max, const material **m) {
+    nearest best = {NOTHING, 0, 0, {t_max, 0, 0}};
+    best = try_spheres(sc, r, t_min, best);
+    best = try_planes(sc, r, t_min, best);
+    best = try_meshes(sc, r, t_min, best);
+    const int i = best.index;
+    switch (best.kind) {
+    case SPHERE:
+        *m = &sc->sphere_materials[i];
+        return sphere_surface(sc->spheres[i], r, best.at.t);
+    case PLANE:
+        *m = &sc->plane_materials[i];
+        return plane_surface(sc->planes[i], r, best.at.t);
+    case TRIANGLE:
+        *m = &sc->mesh_materials[i];
+        return triangle_surface(mesh_triangle(&sc->meshes[i], best.corner), r, best.at);
+    default:
+        return (hit){.t = NO_HIT};
+    }
+}
+
+// ---- the bounce ----------------------------------------------------------------
 
 color albedo_at(const material *m, vec3 p) {
     return m->checkered && checks(p.x, p.z) ? m->albedo_2 : m->albedo;
 }
 
+// A point of the unit disc, lifted onto the sphere so that equal areas of the
+// disc become equal areas of the sphere.
 vec3 unit_vector(rng *g) {
     real a, b, s;
     do {
@@ -57,13 +85,21 @@ real start_t_min(start_rule start) {
     return start == START_EPSILON ? (real)1e-4 : 0;
 }
 
+static vec3 new_direction(const material *m, vec3 d, vec3 n, rng *g) {
+    if (m->finish == MATTE) return matte_bounce(n, g);
+    if (m->finish == FUZZY) return fuzzy_bounce(d, n, m->fuzz, g);
+    return keep_unit(reflect(d, n));
+}
+
+// The start is moved to the side that n was turned to: a grazing d may be rounded
+// to the other.
 ray bounce(const scene *sc, const material *m, ray r, hit h, rng *g) {
     const vec3 n = h.front ? h.n : neg(h.n);
-    const vec3 d = m->finish == MATTE   ? matte_bounce(n, g)
-                   : m->finish == FUZZY ? fuzzy_bounce(r.d, n, m->fuzz, g)
-                                        : reflect(r.d, n);
-    return (ray){sc->start == START_BOUND ? offset_origin(h.p, h.error, n, d) : h.p, d};
+    const vec3 d = new_direction(m, r.d, n, g);
+    return (ray){sc->start == START_BOUND ? offset_origin(h.p, h.error, n, n) : h.p, d};
 }
+
+// ---- the loop ------------------------------------------------------------------
 
 color trace_slide(const scene *sc, ray r, int s, rng *g) {
     color C = {1, 1, 1};

@@ -46,11 +46,11 @@ color clear_sky(vec3 d);
 // on a miss. *m is its material, untouched on a miss.
 hit scene_hit(const scene *sc, ray r, real t_min, real t_max, const material **m);
 
-// The reflected share at the point p.
+// The reflected share at the point p: the slide's F.
 color albedo_at(const material *m, vec3 p);
 
-// The next ray after the hit h of a ray with direction d, by the material and
-// the scene's start rule. d of the result is a unit vector when r.d is.
+// The next ray after the hit h of the ray r, by the material and the scene's
+// start rule: a unit direction, on the side of the surface that r came from.
 ray bounce(const scene *sc, const material *m, ray r, hit h, rng *g);
 
 // The smallest t that counts as a hit for rays that `bounce` made.
@@ -60,7 +60,7 @@ real start_t_min(start_rule start);
 // path of exactly s bounces is black before it can reach the sky.
 color trace_slide(const scene *sc, ray r, int s, rng *g);
 
-// Uniform on the unit sphere (Marsaglia 1972). Given: 09 derives it.
+// Uniform on the unit sphere (Marsaglia 1972). Given; the text says why.
 vec3 unit_vector(rng *g);
 
 // Exercises: exercises/06-bounce/ ------------------------------------------
@@ -69,8 +69,8 @@ vec3 unit_vector(rng *g);
 vec3 reflect(vec3 d, vec3 n);
 
 // The lecture's matte, mended: the mirrored unit direction plus fuzz times a
-// random unit vector, of unit length, never zero and never into the surface: n
-// is unit, d·n < 0, and so result·n > 0.
+// random unit vector, made a unit vector; a sum that is zero or points into the
+// surface is drawn again. n is unit, d of any length, d·n < 0; result·n > 0.
 vec3 fuzzy_bounce(vec3 d, vec3 n, real fuzz, rng *g);
 
 // A unit vector around the unit normal n whose density is cos θ / π per
@@ -81,6 +81,11 @@ vec3 matte_bounce(vec3 n, rng *g);
 // bounces. C = 1; nearest hit; missed: C times the sky; hit with no bounce
 // left: black; else C times the albedo, and bounce. s = 0 still sees the sky.
 color trace(const scene *sc, ray r, int s, rng *g);
+
+// d, of any length but 0, with its length brought to 1, within a few roundings.
+// |d|² near 1, as after some reflections: one Newton step, d (3 - |d|²) / 2,
+// without root or division; else normalize.
+vec3 keep_unit(vec3 d);
 
 // A start for the next ray along d, certainly on the side of the surface that
 // d points to: p moved along the unit normal n by the error bound of p and

@@ -3,5 +3,6 @@
 ray camera_ray(const camera *cam, real x, real y) {
     const vec3 across = scale(x - (real)cam->width / 2, cam->right);
     const vec3 upwards = scale((real)cam->height / 2 - y, cam->up);
-    return (ray){cam->eye, add(add(across, upwards), scale(cam->focal, cam->forward))};
+    const vec3 ahead = scale(cam->focal, cam->forward);
+    return (ray){cam->eye, add(add(across, upwards), ahead)};
 }

@@ -2,5 +2,5 @@
 
 vec3 smooth_normal(vec3 n1, vec3 n2, vec3 n3, real u, real v) {
     const vec3 n = add(add(scale(1 - u - v, n1), scale(u, n2)), scale(v, n3));
-    return length(n) > 4 * REAL_EPSILON ? normalize(n) : n1;
+    return length(n) > 4 * REAL_EPSILON ? normalize(n) : n1; // shorter is rounding alone
 }

@@ -2,7 +2,8 @@
 # progress.sh LIST: how far a student has come, found out by running the tests.
 # LIST has lines "chapter exercise program". The program is the chapter's tests
 # with the student's version of just this exercise and the solutions of the rest;
-# "-" or a missing file: that version does not compile.
+# "-" or a missing file: that version does not compile. Only the tests named after
+# the exercise are run.
 set -u
 
 [ -r "${1:-}" ] || {
@@ -22,7 +23,7 @@ state() { # CHAPTER EXERCISE PROGRAM
     fi
     passed=0 failed=0 todo=0 again="make test-${1%%-*} T=$2"
     rm -f "$tmp/tally"
-    QUIET=1 TALLY=$tmp/tally "$3" >/dev/null 2>&1 </dev/null
+    T="$2:" QUIET=1 TALLY=$tmp/tally "$3" >/dev/null 2>&1 </dev/null
     [ -s "$tmp/tally" ] && read -r passed failed todo <"$tmp/tally"
     all=$((passed + failed + todo)) bad=$((failed + todo))
     if [ $all = 0 ]; then

@@ -20,7 +20,7 @@ compiles() { # FLAGS; the program on stdin
     $cc -std=c11 $1 "$tmp/try.c" -o "$tmp/try" -lm >"$tmp/errors" 2>&1
 }
 
-by_hand='put stb_image_write.h (https://github.com/nothings/stb) in a folder
+by_hand='put stb_image_write.h, a single file of the stb library, in a folder
     and call: make STB_CFLAGS=-Ifolder'
 
 install_line() {
