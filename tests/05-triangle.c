@@ -246,7 +246,7 @@ static void both_sides(hit_function triangle_test) {
         const triangle_point b = triangle_test(turned, r, 0, NO_HIT);
         if (fabs(exact_hit(T, r).margin) < 1e-9) continue;
         given_triangle(turned, r);
-        CHECK_REAL(b.t, q.t, roundings(in_float ? 2 : 64, "one rounding in each"));
+        CHECK_REAL(b.t, q.t, relative_to(in_float ? 1.2e-7 : 4e-12, "one rounding in each"));
         if (q.t == NO_HIT) continue;
         CHECK_REAL(b.u, q.v, absolute_of(1e3 * REAL_EPSILON, "rounded weights"));
     }
@@ -388,6 +388,18 @@ static void not_a_number(hit_function triangle_test) {
     CHECK_REAL(triangle_test(T, good, 0, NO_HIT).t, NO_HIT, exactly());
 }
 
+// Rays along the axes, in each of which two components of d are 0.
+static void along_axes(hit_function triangle_test) {
+    rng g = rng_seed(5, 22);
+    for (int i = 0; i < 600; i++) {
+        const triangle T = {in_cube(&g), in_cube(&g), in_cube(&g)};
+        const real long_way = i % 2 ? 3 : -3, share = rng_real(&g);
+        const vec3 axes[] = {{long_way, 0, 0}, {0, long_way, 0}, {0, 0, long_way}};
+        const vec3 d = axes[i % 3];
+        check_truth(triangle_test, T, (ray){sub(at(T, share / 2, (real)0.4), d), d}, 1e4);
+    }
+}
+
 // e1, e2 and n are such that all quotients are exact.
 static void exact_border(hit_function triangle_test) {
     const triangle T = {{3, -1, 2}, {11, -1, 2}, {3, 7, 2}};
@@ -396,7 +408,7 @@ static void exact_border(hit_function triangle_test) {
                           {0.125f, 0.875f}, {0.875f, 0}, {0.75f, 0.25f}};
     for (int i = 0; i < COUNT(uv); i++) {
         const vec3 p = at(T, uv[i][0], uv[i][1]);
-        const vec3 d[] = {{0, 0, -1}, {1, 2, -4}, {-3, 1, 2}, {8, 1, -1}};
+        const vec3 d[] = {{0, 0, -1}, {1, 2, -4}, {-4, 1, 3}, {3, 8, -1}};
         for (int k = 0; k < COUNT(d); k++) {
             const ray r = {sub(p, scale(2, d[k])), d[k]};
             given_triangle(T, r);
@@ -423,13 +435,14 @@ BOTH(speeds)
 BOTH(needles)
 BOTH(grazing)
 BOTH(far_away)
+BOTH(along_axes)
 BOTH(zero_area)
 BOTH(not_crossing)
 BOTH(not_a_number)
 BOTH(exact_border)
 
-// Whole coordinates up to 1000: every product fits in double, so that a ray through an
-// edge or corner goes through it exactly.
+// Whole coordinates, and a longest component of d that divides without rounding: all
+// is exact in double, so that a ray through an edge or corner goes through it exactly.
 static void whole_borders(void) {
     rng g = rng_seed(5, 11);
     for (int i = 0; i < 30000; i++) {
@@ -439,7 +452,8 @@ static void whole_borders(void) {
         const vec3 p = i % 3 == 0   ? lerp(T.p1, T.p2, s)
                        : i % 3 == 1 ? lerp(T.p2, T.p3, s)
                                     : lerp(T.p3, T.p1, s);
-        const vec3 d = whole_point(&g, 1000);
+        vec3 d = whole_point(&g, 1000);
+        *(i % 7 < 3 ? &d.x : i % 7 < 5 ? &d.y : &d.z) = i % 2 ? 1024 : -1024;
         if (dot(d, triangle_normal(T)) == 0) continue;
         const ray r = {sub(p, d), d};
         given_triangle(T, r);
@@ -467,7 +481,8 @@ static void orders(void) {
             const triangle_point other = watertight_hit(others[k], r, 0, NO_HIT);
             CHECK_BOOL(other.t == NO_HIT, q.t == NO_HIT);
             if (q.t == NO_HIT) continue;
-            CHECK_REAL(other.t, q.t, roundings(in_float ? 2 : 64, "one rounding in each"));
+            CHECK_REAL(other.t, q.t,
+                       relative_to(in_float ? 1.2e-7 : 4e-12, "one rounding in each"));
             CHECK_REAL(other.u, u[k], absolute_of(8 * REAL_EPSILON, "rounded weights"));
         }
     }
@@ -510,7 +525,8 @@ static bool leaks(const closed_mesh *c, hit_function triangle_test, int corner, 
 }
 
 // Rays from inside the tube, which is closed: none may get out. They are aimed at points
-// of edges, or at corners; the eye has few bits, so that many d are exact.
+// of edges, or at corners; the eye has few bits, so that many d are exact; every other
+// d is a unit vector.
 static long count_leaks(hit_function triangle_test, bool at_corner, long rays) {
     const closed_mesh c = closed_torus();
     rng g = rng_seed(5, 13);
@@ -521,7 +537,8 @@ static long count_leaks(hit_function triangle_test, bool at_corner, long rays) {
         const vec3 O = {rint(64 * eye.x) / 64, rint(64 * eye.y) / 64, rint(64 * eye.z) / 64};
         const vec3 other = c.m.points[k[1 + rng_bits(&g) % 2]];
         const real s = at_corner ? 0 : rng_real(&g);
-        const ray r = {O, sub(lerp(c.m.points[k[0]], other, s), O)};
+        const vec3 d = sub(lerp(c.m.points[k[0]], other, s), O);
+        const ray r = {O, i % 2 ? normalize(d) : d};
         if (leaks(&c, triangle_test, k[0], r) && count++ == 0)
             given_triangle(mesh_triangle(&c.m, c.ring[k[0]][0]), r);
     }
@@ -861,6 +878,7 @@ int main(void) {
         {"moller_trumbore: worked out by hand", mt_worked_out, solve},
         {"moller_trumbore: 20000 generic rays", mt_generic_rays, solve},
         {"moller_trumbore: u and v give the point", mt_reproduces, solve},
+        {"moller_trumbore: rays along the axes", mt_along_axes, solve},
         {"moller_trumbore: t_min < t < t_max", mt_interval, ends},
         {"moller_trumbore: both sides are hit", mt_both_sides, orientation},
         {"moller_trumbore: edges and corners", mt_exact_border, belongs},
@@ -877,6 +895,8 @@ int main(void) {
         {"watertight_hit: 20000 generic rays", wt_generic_rays,
          "Which areas are the weights of p1, p2, p3? t is the weighted mean of the corners'."},
         {"watertight_hit: u and v give the point", wt_reproduces, solve},
+        {"watertight_hit: rays along the axes", wt_along_axes,
+         "Components of d may be 0: along which axis is d longest?"},
         {"watertight_hit: t_min < t < t_max", wt_interval, ends},
         {"watertight_hit: both sides are hit", wt_both_sides, orientation},
         {"watertight_hit: edges and corners", wt_exact_border, belongs},

@@ -11,8 +11,7 @@
 //     }
 //     int main(void) {
 //         static const test tests[] = {
-//             {"sphere_hit: straight ahead", touches, "The answer is the smallest root above
-//             t_min."},
+//             {"sphere_hit: straight ahead", touches, "The smallest root above t_min."},
 //         };
 //         return run_tests("04-sphere", tests, COUNT(tests));
 //     }

@@ -6,7 +6,8 @@
 #include "common/die.h"
 #include "common/progress.h"
 
-const lamp demo_lamp = {.centre = {(real)0.4, (real)2.5, (real)-0.6}, .side = 1, .radiance = 14};
+const lamp demo_lamp = {
+    .centre = {(real)0.4, (real)2.5, (real)-0.6}, .side = 1, .radiance = 40};
 
 camera lamp_camera(int width, int height, real lens_radius) {
     const vec3 eye = {(real)-0.6, (real)1.6, (real)3.6}, target = {0, 0, (real)-0.3};
@@ -123,7 +124,8 @@ image lamp_forwards(const char *what, const camera *cam, const lamp *l, long ray
                     uint64_t seed, long *reached) {
     enum { BLOCK = 1 << 16 }; // rays that share a generator: the unit of work
     tally *sums = calloc((size_t)cam->width * (size_t)cam->height, sizeof *sums);
-    if (!sums) die(EXIT_RUN, "no memory for a picture of %dx%d pixels", cam->width, cam->height);
+    if (!sums)
+        die(EXIT_RUN, "no memory for a picture of %dx%d pixels", cam->width, cam->height);
     progress p = progress_start(what, rays, NULL);
     long landed = 0;
 #pragma omp parallel for schedule(dynamic) reduction(+ : landed)

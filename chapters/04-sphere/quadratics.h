@@ -46,7 +46,7 @@ static roots quadratic_stable(real a, real b, real c) {
 
 // ---- the variants -----------------------------------------------------------------------
 
-enum { QUADRATICS = 1 << 12, QUADRATIC_ROUNDS = 9 };
+enum { QUADRATICS = 1 << 12, QUADRATIC_ROUNDS = 25 };
 
 typedef struct {
     real a[QUADRATICS], b[QUADRATICS], c[QUADRATICS];
@@ -140,23 +140,26 @@ static void tabulate_counts(const quadratics *k, const char *table, const char *
                 wrong_counts(k, &solvers[s]), "ns", NAN);
 }
 
-static void tabulate_errors(quadratics *k, const char *table, const char *x_name, double x) {
+static void tabulate_errors(quadratics *k, const char *table, const char *x_name, double x,
+                            bool also_time) {
     timed timings[COUNT(solvers)];
     double ns[COUNT(solvers)];
     for (int s = 0; s < solver_count(); s++)
         timings[s] = (timed){solvers[s].name, solvers[s].run};
-    measure_ns(timings, solver_count(), k, QUADRATICS, QUADRATIC_ROUNDS, ns);
+    if (also_time) measure_ns(timings, solver_count(), k, QUADRATICS, QUADRATIC_ROUNDS, ns);
     for (int s = 0; s < solver_count(); s++)
         csv_row(table, solvers[s].name, x_name, x, "relative error of the smaller root, median",
-                median_error(k, &solvers[s]), "ns", ns[s]);
+                median_error(k, &solvers[s]), "ns", also_time ? ns[s] : NAN);
 }
 
 static void measure_quadratics(void) {
     static quadratics k;
     for (int e = 1; e <= 13; e += 2) {
         fill_quadratics(&k, pow(10, e), 0, 1);
-        tabulate_errors(&k, "quadratic: smaller root", "b² / 4ac", pow(10, e));
+        tabulate_errors(&k, "quadratic: smaller root", "b² / 4ac", pow(10, e), false);
     }
+    fill_quadratics(&k, 10, 0, 1);
+    tabulate_errors(&k, "quadratic: cost", "b² / 4ac", 10, true);
     for (int e = -16; e <= -4; e += 2) {
         fill_quadratics(&k, 1, pow(10, e), 1);
         tabulate_counts(&k, "quadratic: nearly double root", "|1 - 4ac / b²|", pow(10, e));

@@ -26,40 +26,27 @@ real sphere_hit_slide(sphere S, ray r, real t_min, real t_max) {
     return nearest_root((roots){2, (-b - s) / (2 * a), (-b + s) / (2 * a)}, t_min, t_max);
 }
 
-// The part of the ray inside the sphere, seen from its middle. All of it is NaN for d = 0.
-typedef struct {
-    wide3 d, v;
-    double a, half_b;
-    double middle; // t of the ray's point nearest to the centre
-    wide3 l;       // from the centre to that point, perpendicular to d
-    double square; // of half the chord's length; negative: the ray passes outside
-} chord;
-
-static chord chord_of(sphere S, ray r) {
-    chord k = {.d = widen(r.d), .v = wide_sub(r.O, S.c)};
-    k.a = wide_dot(k.d, k.d);
-    k.half_b = wide_dot(k.v, k.d);
-    k.middle = -k.half_b / k.a;
-    k.l = wide_along(k.v, k.middle, k.d);
-    k.square = (double)S.r * S.r - wide_dot(k.l, k.l);
-    return k;
-}
-
+// The slide's a and c and half its b, in double, but not its b² - 4ac: by Lagrange's identity
+// a |v|² - (v·d)² = |v x d|², so a quarter of the discriminant is a r² - |v x d|².
 real sphere_hit(sphere S, ray r, real t_min, real t_max) {
-    const chord k = chord_of(S, r);
-    if (!(S.r > 0 && k.square >= 0)) return NO_HIT; // false for NaN
-    const double c = wide_dot(k.v, k.v) - (double)S.r * S.r;
-    const double q = -(k.half_b + copysign(sqrt(k.a * k.square), k.half_b));
-    const double t0 = q / k.a, t1 = q == 0 ? t0 : c / q;
+    const wide3 v = wide_sub(r.O, S.c), d = widen(r.d), w = wide_cross(v, d);
+    const double a = wide_dot(d, d), rr = (double)S.r * S.r;
+    const double quarter = a * rr - wide_dot(w, w);
+    if (!(quarter >= 0 && a > 0 && S.r > 0)) return NO_HIT; // false for NaN
+    const double half_b = wide_dot(v, d), c = wide_dot(v, v) - rr;
+    const double q = -(half_b + copysign(sqrt(quarter), half_b));
+    const double t0 = q / a, t1 = q == 0 ? t0 : c / q;
     return nearest_root((roots){2, fmin(t0, t1), fmax(t0, t1)}, t_min, t_max);
 }
 
-// From the centre to the hit at t, of length r. t only says which end of the chord: rounded,
-// it may lie a whole radius off, far away.
+// From the centre to the hit at t, of length r. t only says which end of the chord: it is
+// rounded, and far away that may be a whole radius.
 static wide3 chord_end(sphere S, ray r, real t) {
-    const chord k = chord_of(S, r);
-    const double half = sqrt(fmax(k.square, 0) / k.a);
-    const wide3 end = wide_along(k.l, t <= (real)k.middle ? -half : half, k.d);
+    const wide3 v = wide_sub(r.O, S.c), d = widen(r.d);
+    const double a = wide_dot(d, d), middle = -wide_dot(v, d) / a;
+    const wide3 l = wide_along(v, middle, d); // to the ray's point nearest the centre
+    const double square = (double)S.r * S.r - wide_dot(l, l), half = sqrt(fmax(square, 0) / a);
+    const wide3 end = wide_along(l, t <= (real)middle ? -half : half, d);
     const double stretch = S.r / sqrt(wide_dot(end, end));
     return (wide3){stretch * end.x, stretch * end.y, stretch * end.z};
 }

@@ -23,9 +23,9 @@ roots solve_quadratic(double a, double b, double c);
 real sphere_hit_slide(sphere S, ray r, real t_min, real t_max);
 
 // The nearest hit with t_min < t < t_max, or NO_HIT. A tangent is a hit; d = 0
-// hits nothing. Double inside, so |d| and all lengths may be anything a float can
-// be (as doubles: 1e-150 to 1e150). The variant that the chapter's measurements
-// justify. Source: Ray Tracing Gems, ch. 7.
+// hits nothing. Double inside, the discriminant as a r² - |v x d|²: the variant that
+// the chapter's measurements justify. All lengths may be anything a float can be; with
+// REAL=double |d| r and |d| |v| must lie between 1e-150 and 1e150.
 real sphere_hit(sphere S, ray r, real t_min, real t_max);
 
 // The hit at t, which is sphere_hit's. p is put onto the sphere, so that its error

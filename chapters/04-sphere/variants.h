@@ -90,4 +90,15 @@ static real double_q(sphere S, ray r, real t_min, real t_max) {
     return nearest_root((roots){2, fmin(t0, t1), fmax(t0, t1)}, t_min, t_max);
 }
 
+static real double_gems(sphere S, ray r, real t_min, real t_max) {
+    const wide3 v = wide_sub(r.O, S.c), d = widen(r.d);
+    const double a = wide_dot(d, d), half_b = wide_dot(v, d), rr = (double)S.r * S.r;
+    const wide3 l = wide_along(v, -half_b / a, d);
+    const double quarter = a * (rr - wide_dot(l, l));
+    if (!(quarter >= 0 && a > 0 && S.r > 0)) return NO_HIT;
+    const double q = -(half_b + copysign(sqrt(quarter), half_b)), c = wide_dot(v, v) - rr;
+    const double t0 = q / a, t1 = q == 0 ? t0 : c / q;
+    return nearest_root((roots){2, fmin(t0, t1), fmax(t0, t1)}, t_min, t_max);
+}
+
 #endif

@@ -45,8 +45,13 @@ triangle_point triangle_hit(triangle T, ray r, real t_min, real t_max) {
 hit triangle_surface(triangle T, ray r, triangle_point q) {
     const wide3 n = wide_normal(T); // its square may leave float's range
     const double length_of_n = sqrt(wide_dot(n, n));
-    return hit_at(r, q.t,
-                  narrow((wide3){n.x / length_of_n, n.y / length_of_n, n.z / length_of_n}));
+    hit h = hit_at(r, q.t,
+                   narrow((wide3){n.x / length_of_n, n.y / length_of_n, n.z / length_of_n}));
+    // The double arithmetic inside: nothing beside float, as much as the rest in a double build.
+    const vec3 sides = add(absolute(sub(T.p2, T.p1)), absolute(sub(T.p3, T.p1)));
+    const vec3 extent = add(sides, absolute(scale(q.t, r.d)));
+    h.error = add(h.error, scale((real)(4 * DBL_EPSILON), extent));
+    return h;
 }
 
 // ---- many ------------------------------------------------------------------------

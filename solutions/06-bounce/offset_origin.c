@@ -1,10 +1,9 @@
 #include "chapters/06-bounce/bounce.h"
 
-// The next number in the direction of the step, so that rounding p + step to the
-// nearest never takes any of it back.
+// One or two numbers further in the direction of the step, so that rounding
+// p + step to the nearest never takes any of it back.
 static real away(real x, real step) {
-    if (step == 0) return x;
-    return nextafter(x, step > 0 ? REAL_MAX : -REAL_MAX);
+    return step == 0 ? x : x + copysign(REAL_EPSILON * fabs(x), step);
 }
 
 // |n|·error is how far the box p ± error reaches along n.

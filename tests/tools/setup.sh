@@ -33,7 +33,7 @@ install_line() {
     elif [ -n "${MSYSTEM:-}" ]; then
         echo 'pacman -S gcc make pkgconf mingw-w64-x86_64-stb'
     elif has apt-get; then
-        echo 'sudo apt-get install gcc make libstb-dev pkg-config'
+        echo 'sudo apt-get install gcc libc6-dev make libstb-dev pkg-config'
     elif has dnf; then
         echo 'sudo dnf install gcc make stb-devel pkgconf'
     elif has pacman; then

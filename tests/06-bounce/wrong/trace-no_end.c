@@ -1,0 +1,17 @@
+// Wrong: s is never looked at.
+// Expect: endless loop
+// Expect: No bounces left and something in the way
+#include "chapters/06-bounce/bounce.h"
+
+color trace(const scene *sc, ray r, int s, rng *g) {
+    color C = {1, 1, 1};
+    real t_min = 0;
+    for (;; s--) {
+        const material *m = NULL;
+        const hit h = scene_hit(sc, r, t_min, NO_HIT, &m);
+        if (h.t == NO_HIT) return mul(C, sc->sky(r.d));
+        C = mul(C, albedo_at(m, h.p));
+        r = bounce(sc, m, r, h, g);
+        t_min = start_t_min(sc->start);
+    }
+}
