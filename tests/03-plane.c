@@ -164,20 +164,29 @@ static void not_a_number(void) {
 
 // ---- hit_at ----------------------------------------------------------------------
 
+// The surface passes through the box p ± error: judged in higher precision, and with
+// n as it was given, not as it was rounded to unit length.
 static void error_bound(void) {
     rng g = rng_seed(3, 5);
-    for (int i = 0; i < 5000; i++) {
+    for (int i = 0; i < 8000; i++) {
         plane P;
         ray r;
-        generic(&g, 100, 1, &P, &r);
+        const real size = (real)pow(10, i % 9 - 2);
+        generic(&g, size, 1, &P, &r);
+        if (i % 2) { // both far away
+            const vec3 there = scale(1000 * size, in_cube(&g));
+            P.x = add(P.x, there);
+            r.O = add(r.O, there);
+        }
         const real t = plane_hit(P, r, 0, NO_HIT);
         if (t == NO_HIT) continue;
         const hit h = plane_surface(P, r, t);
-        const exact off = ((exact)h.p.x - P.x.x) * h.n.x + ((exact)h.p.y - P.x.y) * h.n.y +
-                          ((exact)h.p.z - P.x.z) * h.n.z;
+        const exact off = ((exact)h.p.x - P.x.x) * P.n.x + ((exact)h.p.y - P.x.y) * P.n.y +
+                          ((exact)h.p.z - P.x.z) * P.n.z;
         given_plane(P, r);
-        CHECK_AT_MOST(fabs((double)off), dot(h.error, absolute(h.n)) + 300 * REAL_EPSILON,
-                      "hit.error bounds the distance from the plane; n itself is rounded");
+        CHECK_AT_MOST(fabs((double)off), (1 + 8 * REAL_EPSILON) * dot(h.error, absolute(P.n)),
+                      "hit.error bounds |(p - x)·n|");
+        CHECK_AT_MOST(fabs(length(h.n) - 1), 2 * REAL_EPSILON, "n is a unit vector");
         CHECK_BOOL(h.front, dot(r.d, P.n) < 0);
     }
 }

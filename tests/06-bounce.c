@@ -169,7 +169,7 @@ static void fuzz_grazing(void) {
     rng g = rng_seed(6, 7);
     for (int i = 0; i < 5000; i++) {
         const vec3 n = generic_unit(&g);
-        vec3 d = arriving(n, (real)pow(10, (double)between(&g, -9, -6)), 1);
+        vec3 d = arriving(n, REAL_EPSILON * (real)pow(10, (double)between(&g, -2, 1)), 1);
         if (!(dot(d, n) < 0)) continue;
         const vec3 v = fuzzy_bounce(d, n, 0, &g);
         given("fuzz = 0, d = " VEC ", n = " VEC ": the bounce is " VEC, ARG(d), ARG(n), ARG(v));
@@ -444,11 +444,11 @@ static void closed_cavity(void) {
 }
 
 // Each ray that fell for its own surface again would see albedo² or black.
-static void no_acne(start_rule start, sphere S) {
+static void no_acne(start_rule start, sphere S, int rays) {
     const material m = {.finish = MATTE, .albedo = {(real)0.5, (real)0.5, (real)0.5}};
     const scene sc = one_sphere(&S, &m, start);
     rng g = rng_seed(6, 17);
-    for (int i = 0; i < 20000; i++) {
+    for (int i = 0; i < rays; i++) {
         const vec3 O = add(S.c, scale(S.r + 2, generic_unit(&g)));
         const ray r = {O, sub(add(S.c, scale(S.r / 2, in_cube(&g))), O)};
         given("a matte sphere, c = " VEC ", r = %.9g, albedo 0.5 in a sky of 1; ray O = " VEC
@@ -460,14 +460,16 @@ static void no_acne(start_rule start, sphere S) {
     }
 }
 
+// A next ray with a cosine below 6e-4 may graze past 0.0001 and hit again: with 1000
+// rays a right answer fails with probability 2e-4 in float.
 static void epsilon_rule(void) {
-    no_acne(START_EPSILON, (sphere){{(real)0.3, (real)-0.7, (real)0.2}, (real)1.25});
+    no_acne(START_EPSILON, (sphere){{(real)0.3, (real)-0.7, (real)0.2}, (real)1.25}, 1000);
 }
 
 static void bound_rule(void) {
-    no_acne(START_BOUND, (sphere){{(real)0.3, (real)-0.7, (real)0.2}, (real)1.25});
-    no_acne(START_BOUND, (sphere){{20, -1000, 30}, 1000});
-    no_acne(START_BOUND, (sphere){{-4000, 9000, 70}, 3});
+    no_acne(START_BOUND, (sphere){{(real)0.3, (real)-0.7, (real)0.2}, (real)1.25}, 20000);
+    no_acne(START_BOUND, (sphere){{20, -1000, 30}, 1000}, 20000);
+    no_acne(START_BOUND, (sphere){{-4000, 9000, 70}, 3}, 20000);
 }
 
 static void long_first_ray(void) {

@@ -10,8 +10,13 @@ hit hit_at(ray r, real t, vec3 n) {
                  .front = dot(r.d, n) < 0};
 }
 
+// plane_hit's two dot products in double: nothing beside float's roundings, all that
+// counts where real is double.
 hit plane_surface(plane P, ray r, real t) {
-    return hit_at(r, t, normalize(P.n));
+    hit h = hit_at(r, t, normalize(P.n));
+    const vec3 summed = add(absolute(sub(P.x, r.O)), absolute(scale(t, r.d)));
+    h.error = add(h.error, scale((real)(4 * DBL_EPSILON), summed));
+    return h;
 }
 
 // Is floor(x) odd? Stays right where the whole number no longer fits an int.

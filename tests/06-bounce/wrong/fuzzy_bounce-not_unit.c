@@ -1,5 +1,5 @@
 // Wrong: the sum is not made a unit vector.
-// Expect: roundings of a float: a unit vector
+// Expect: : a unit vector)
 // Expect: fuzzy_bounce: a unit vector, never into the surface
 #include "chapters/06-bounce/bounce.h"
 
