@@ -203,8 +203,8 @@ static void orthographic_generic(void) {
         const vec3 O = narrow(wide_along(widen(cam.eye), 1, in_basis(&cam, a, b, 0)));
         given_camera(&cam, x, y);
         const ray r = orthographic_ray(&cam, x, y);
-        CHECK_VEC3(r.O, O,
-                   absolute_of(8 * U * (fabs(a) + fabs(b) + 10), "a few roundings of O"));
+        const double size = (double)cam.span * (1 + (double)cam.width / cam.height) + 10;
+        CHECK_VEC3(r.O, O, absolute_of(8 * U * size, "a few roundings of O or of the picture"));
         CHECK_VEC3(r.d, cam.forward, exactly());
     }
 }

@@ -62,7 +62,7 @@ static void print_time(double seconds) {
 void experiment_report(const experiment *f, const experiment *b) {
     printf("forwards:  of %ld rays, %ld reached the camera", f->rays, f->reached);
     if (f->reached > 0) printf(" (1 in %ld)", f->rays / f->reached);
-    printf("\nbackwards: of %ld rays, all began there\n", b->rays);
+    printf("\nbackwards: of %ld rays, all began at the camera\n", b->rays);
     if (!(f->variance > 0 && b->variance > 0)) return;
     const double ratio = f->variance / b->variance;
     const double seconds = ratio * (double)f->rays / f->rays_per_second;

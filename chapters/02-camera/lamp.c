@@ -7,7 +7,7 @@
 #include "common/progress.h"
 
 const lamp demo_lamp = {
-    .centre = {(real)0.4, (real)2.5, (real)-0.6}, .side = 1, .radiance = 40};
+    .centre = {(real)0.4, (real)2.5, (real)-0.6}, .side = 1, .radiance = 30};
 
 camera lamp_camera(int width, int height, real lens_radius) {
     const vec3 eye = {(real)-0.6, (real)1.6, (real)3.6}, target = {0, 0, (real)-0.3};

@@ -55,11 +55,11 @@ static color cards_on_floor(const void *unused, ray r, rng *g) {
 
 static camera cards_camera(const options *opt) {
     const bool high = shows(opt, "orthographic"); // or its lower rays start below the floor
-    const vec3 eye = {(real)0.4, high ? 6 : (real)1.5, 5}, target = {(real)0.3, (real)0.7, -4};
+    const vec3 eye = {(real)0.4, high ? 4 : (real)1.5, 5}, target = {(real)0.3, (real)0.7, -4};
     camera cam = camera_look_at(eye, target, (vec3){0, 1, 0}, 32, opt->width, opt->height);
     if (high) cam.kind = ORTHOGRAPHIC;
     if (shows(opt, "lens")) cam.kind = THIN_LENS;
-    cam.span = 6;
+    cam.span = 7;
     cam.focus = dot(sub((vec3){0, 0, -4}, eye), cam.forward); // the yellow card
     cam.lens_radius = (real)0.25;
     return cam;

@@ -38,6 +38,7 @@ one() { # text picture command: draws it, prints what is wrong
 
 for text in "$@"; do
     commands "$text" >"$scratch/list"
+    [ -s "$scratch/list" ] || echo "$text has no picture" >>"$scratch/complaints"
     while read -r picture command; do
         one "$text" "$picture" "$command" </dev/null
         echo x >>"$scratch/count"

@@ -1,5 +1,5 @@
 // Wrong: an absolute threshold, which also takes a short up for a parallel one.
-// Expect: only what is parallel within rounding
+// Expect: Only what is parallel within rounding
 // Expect: a thousandth is not parallel
 #include "chapters/02-camera/camera.h"
 
