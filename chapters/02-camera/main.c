@@ -54,7 +54,7 @@ static color cards_on_floor(const void *unused, ray r, rng *g) {
 }
 
 static camera cards_camera(const options *opt) {
-    const bool high = shows(opt, "orthographic"); // or its lower rays start below the floor
+    const bool high = shows(opt, "orthographic"); // no ray may start below the floor
     const vec3 eye = {(real)0.4, high ? 4 : (real)1.5, 5}, target = {(real)0.3, (real)0.7, -4};
     camera cam = camera_look_at(eye, target, (vec3){0, 1, 0}, 32, opt->width, opt->height);
     if (high) cam.kind = ORTHOGRAPHIC;

@@ -140,6 +140,7 @@ static double pixels_off(const camera *cam, real x, real y, vec3 d) {
     const double off_x = (double)(a - ((exact)x - cam->width / 2.0));
     const double off_y = (double)(b - (cam->height / 2.0 - (exact)y));
     const double off = hypot(off_x, off_y);
+    if (off < 1e-30) return 0; // what 113 bits leave of nothing
     return off < cam->width ? off : cam->width;
 }
 
