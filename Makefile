@@ -211,7 +211,8 @@ error-tables:
 	@$(foreach c,$(CHAPTERS),cat build/errors/$c.float.csv build/errors/$c.double.csv > build/errors/$c.csv;)
 build/errors/%.$(REAL).csv: $B/measure/%
 	@mkdir -p $(@D)
-	@ERRORS_ONLY=1 $< > $@.new && mv $@.new $@
+	@ERRORS_ONLY=1 $< > $@.new 2> $@.log || { cat $@.log; exit 1; }
+	@mv $@.new $@
 
 texts: error-tables $(CHAPTERS:%=$B/%) $B/same_picture
 	@sh tests/tools/texts.sh renew $(CHAPTERS)

@@ -45,7 +45,8 @@ typedef struct {
 // Nanoseconds per call of each variant: the variants take turns, at least
 // `rounds` rounds, and the median of each is kept. With the environment
 // variable ERRORS_ONLY set nothing is timed and all are 0.
-void measure_ns(const timed *variants, int count, void *data, long calls, int rounds, double *ns);
+void measure_ns(const timed *variants, int count, void *data, long calls, int rounds,
+                double *ns);
 
 // Keeps a result alive, so that the compiler cannot drop the work that made it.
 void keep(double x);

@@ -29,11 +29,11 @@ typedef struct {
 } choice;
 
 typedef struct {
-    const char *name;      // "04-sphere"
-    const char *summary;   // one sentence for --help
-    int uses;              // USES_SIZE | ...
-    options defaults;      // .out: the file's name when --out is missing
-    const choice *shows;   // the pictures for --show, the first is the default; or NULL
+    const char *name;    // "04-sphere"
+    const char *summary; // one sentence for --help
+    int uses;            // USES_SIZE | ...
+    options defaults;    // .out: the file's name when --out is missing
+    const choice *shows; // the pictures for --show, the first is the default; or NULL
 } program;
 
 // Reads the command line. --help prints and exits 0; anything unknown, missing

@@ -95,7 +95,8 @@ static const tell_tale factors[] = {
 
 const char *diagnose_odd(double got, double expected) {
     if (isnan(got)) return "NaN: 0/0, or the square root of a negative?";
-    if (isinf(got) && got > 0) return "infinity: reported as a miss (NO_HIT), or a division by zero";
+    if (isinf(got) && got > 0)
+        return "infinity: reported as a miss (NO_HIT), or a division by zero";
     if (isinf(got)) return "minus infinity: division by zero?";
     if (isinf(expected) && expected > 0) return "a hit was reported where there is none";
     return NULL;
