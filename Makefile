@@ -6,8 +6,9 @@
 #: make mine-04     the same with your own exercises in place of the solutions
 #:                  MINE=all: those of every chapter;  MINE="04-sphere 05-triangle": of these
 #: make test-04     the chapter's tests on your exercises
-#:                  T=root: only the tests whose name contains it
-#: make hint-04     a hint for every exercise;  N=2, N=3: more of it;  T=root: for this one
+#:                  T=far: only the tests whose name contains it;  T=nearest_root, an
+#:                  exercise: only its tests, and with all other exercises solved
+#: make hint-04     a hint for every exercise;  N=2, N=3: more of it;  T=nearest_root: for this one
 #: make progress    every exercise: not started, wrong or right
 #: make test        every chapter's tests, on the solutions;  TAP=1;  JUNIT=file
 #: make measure-04  error and cost of the chapter's variants: a table, CSV, plots
@@ -55,6 +56,7 @@ STRICT := -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-tree-slp-vec
 	$(if $(SAN),-fsanitize=address$(comma)undefined -fno-sanitize-recover=all)
 COMPILE = @mkdir -p $(@D) && $(CC) $(STRICT) $(OPENMP) $(STB_CFLAGS) $(CFLAGS) -MMD -MP
 LINK    = @mkdir -p $(@D) && $(CC) $(STRICT) $(OPENMP) $(CFLAGS) -o $@ $(filter %.o,$^) -lm
+LINK_OWN = @mkdir -p $(@D) && sh tests/tools/link.sh $(CC) $(STRICT) $(OPENMP) $(CFLAGS) -o $@ $(filter %.o,$^) -lm
 
 # ---- what there is -----------------------------------------------------------
 CHAPTERS := $(patsubst chapters/%/,%,$(sort $(wildcard chapters/*/)))
@@ -107,13 +109,13 @@ TESTED_$1 := $B/obj/tests/$1.o $(CHECK) $(call modules,$1) $(COMMON)
 $B/$1: $B/obj/chapters/$1/main.o $(call modules,$1) $(call solved,$1) $(COMMON)
 	$$(LINK)
 $B/mine/$1: $B/obj/chapters/$1/main.o $(call modules,$1) $(call mine,$1) $(COMMON) FORCE
-	$$(LINK)
+	$$(LINK_OWN)
 $B/measure/$1: $B/obj/chapters/$1/measure.o $(call modules,$1) $(call solved,$1) $(COMMON)
 	$$(LINK)
 $B/test/$1: $$(TESTED_$1) $(call solved,$1)
 	$$(LINK)
 $B/test-mine/$1: $$(TESTED_$1) $(call mine,$1) FORCE
-	$$(LINK)
+	$$(LINK_OWN)
 
 build/$1.png: $B/$1
 	@ln -sf $F/$1 build/$1
@@ -124,10 +126,12 @@ $2: $B/$1
 	@echo "The picture: build/$1.png"
 mine-$2: $B/mine/$1
 	@mkdir -p build/mine
-	$B/mine/$1 --out build/mine/$1.png $$(ARGS)
+	@$B/mine/$1 --out build/mine/$1.png $$(ARGS) || { \
+		echo "The program failed: make test-$2 tells which exercise, and why." >&2; exit 1; }
 	@echo "The picture: build/mine/$1.png"
-test-$2: $B/test-mine/$1
-	@SOLUTIONS=solutions/$1/ $B/test-mine/$1
+# T=exercise: that one is the student's and all others are solved, so none is in its way.
+test-$2: $(if $(filter $T,$(call exercises,$1)),$B/one/$1/$T,$B/test-mine/$1)
+	@SOLUTIONS=solutions/$1/ $$<
 test-solutions-$2: $B/test/$1
 	@$B/test/$1
 hint-$2:
@@ -147,7 +151,7 @@ $(foreach c,$(CHAPTERS),$(eval $(call chapter_rules,$c,$(call number,$c))))
 # One exercise of the student, all others solved: $1 chapter, $2 exercise.
 define one_rule
 $B/one/$1/$2: $(TESTED_$1) $(OWN)/$1/$2.o $(call all_but,$1,$2)
-	$$(LINK)
+	$$(LINK_OWN)
 ONE += $B/one/$1/$2
 endef
 # One answer of tests/NN-name/wrong/ or right/: $1 chapter, $2 its file.
@@ -228,9 +232,11 @@ $B/.setup:
 	@mkdir -p $B && touch $@
 $B/obj/%.o: %.c | $B/.setup
 	$(COMPILE) -c -o $@ $<
-# A stub does not use its parameters yet.
+# A stub does not use its parameters yet. A function without prototype or without
+# return compiles, in C, and goes wrong later: it stops here.
+STOP = -Werror=implicit-function-declaration -Werror=return-type
 $(OWN)/%.o: $(EXERCISES)/%.c | $B/.setup
-	$(COMPILE) -Wno-unused-parameter -c -o $@ $<
+	$(COMPILE) -Wno-unused-parameter $(STOP) -c -o $@ $<
 $(OWN)/%.o:
 	@echo "error: $(EXERCISES)/$*.c is missing" >&2; exit 1
 

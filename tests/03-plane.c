@@ -218,6 +218,32 @@ static void disc_generic(void) {
     CHECK(hits > 500, "the test itself: enough of its rays hit");
 }
 
+// An eye so far away that a rounded t is off by a good part of the disc.
+static void disc_far(void) {
+    rng g = rng_seed(3, 9);
+    int hits = 0;
+    for (int i = 0; i < 4000; i++) {
+        disc D;
+        ray r;
+        generic(&g, 1, 1, &D.P, &r);
+        D.radius = 1;
+        r.d = sub(D.P.x, scale((real)3e5, r.d)); // from there towards the disc
+        r.O = neg(r.d);
+        r.d = add(r.d, scale((real)0.7, in_cube(&g)));
+        const exact t = plane_t(D.P, r);
+        const exact x = r.O.x + t * r.d.x - D.P.x.x, y = r.O.y + t * r.d.y - D.P.x.y;
+        const exact z = r.O.z + t * r.d.z - D.P.x.z;
+        const double distance = sqrt((double)(x * x + y * y + z * z));
+        if (fabs(distance - 1) < 1e-4) continue; // what double may get wrong, and a little more
+        hits += distance < 1;
+        given("disc at " VEC ", n = " VEC ", radius 1; ray O = " VEC ", d = " VEC
+              "; meets the plane %g from the centre",
+              ARG(D.P.x), ARG(D.P.n), ARG(r.O), ARG(r.d), distance);
+        CHECK_BOOL(disc_hit(D, r, 0, NO_HIT) != NO_HIT, distance < 1);
+    }
+    CHECK(hits > 500, "the test itself: enough of its rays hit");
+}
+
 static void disc_rim(void) {
     const disc D = {{{1, 2, -5}, {0, 0, 2}}, 5};
     given("disc at (1, 2, -5), n = (0, 0, 2), radius 5; ray to (4, 6, -5), exactly on the rim");
@@ -236,37 +262,58 @@ static void disc_of_nothing(void) {
 
 // ---- checks_average ----------------------------------------------------------------
 
-// The mean by brute force over n x n points.
-static double counted(double x, double z, double w, int n) {
-    long sum = 0;
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k < n; k++) {
-            const double px = x + ((i + 0.5) / n - 0.5) * w, pz = z + ((k + 0.5) / n - 0.5) * w;
-            sum += ((long)floor(px) + (long)floor(pz)) & 1;
-        }
-    return (double)sum / ((double)n * n);
+// The share of [x - w/2, x + w/2] that lies in odd squares: overlap by overlap.
+static exact odd_share(exact x, exact w) {
+    const exact lo = x - w / 2, hi = x + w / 2;
+    exact sum = 0;
+    for (double k = floor((double)lo) - 1; k <= (double)hi; k += 1) {
+        if (fmod(fabs(k), 2) != 1) continue;
+        const exact from = lo > k ? lo : k, to = hi < k + 1 ? hi : k + 1;
+        if (to > from) sum += to - from;
+    }
+    return sum / w;
 }
 
-static void average_counted(void) {
+static double mean_of_checks(real x, real z, double w) {
+    const exact p = odd_share(x, w), q = odd_share(z, w);
+    return (double)(p * (1 - q) + (1 - p) * q);
+}
+
+static void average(real x, real z, real w) {
+    const double mean = mean_of_checks(x, z, w);
+    given("x = %.9g, z = %.9g, w = %.9g", (double)x, (double)z, (double)w);
+    suspect_value("1 minus the answer: which square is 1?", 1 - mean);
+    suspect_value("a box with sides 2w", mean_of_checks(x, z, 2 * (double)w));
+    suspect_value("the square of the centre, not a mean", checks(x, z));
+    // x ± w/2 in double is off by a rounding of x, the mean by that over w.
+    const double rounded = 4 * DBL_EPSILON * (1 + (fabs(x) + fabs(z)) / w);
+    CHECK_REAL(checks_average(x, z, w), mean,
+               absolute_of(rounded + REAL_EPSILON, "double inside, one rounding out"));
+}
+
+static void average_generic(void) {
     rng g = rng_seed(3, 7);
-    for (int i = 0; i < 200; i++) {
+    for (int i = 0; i < 2000; i++) {
         const real x = 20 * rng_real(&g) - 10, z = 20 * rng_real(&g) - 10;
-        const real w = (real)0.05 + 5 * rng_real(&g);
-        const int n = 400;
-        given("x = %.9g, z = %.9g, w = %.9g", (double)x, (double)z, (double)w);
-        suspect_value("1 minus the answer: which square is 1?", 1 - counted(x, z, w, n));
-        suspect_value("a box with sides 2w", counted(x, z, 2 * w, n));
-        // Each border line between squares that cuts the box moves at most 1/(2n) of it.
-        const double lines = 2 * (ceil(w) + 1);
-        CHECK_REAL(checks_average(x, z, w), counted(x, z, w, n),
-                   absolute_of(lines / (2 * n), "counted at 400 x 400 points"));
+        average(x, z, (real)0.05 + 5 * rng_real(&g));
+    }
+}
+
+// Boxes of a pixel's size on a border between squares, up to 1000 away.
+static void average_small(void) {
+    rng g = rng_seed(3, 10);
+    for (int i = 0; i < 2000; i++) {
+        const real w = (real)pow(10, -(i % 6));
+        const real x = floor(2000 * rng_real(&g) - 1000) + w * (rng_real(&g) - (real)0.5);
+        const real z = 2000 * rng_real(&g) - 1000;
+        average(x, z, w);
     }
 }
 
 static void average_limits(void) {
     given("a small box inside a square: x = 3.5, z = -1.25, w = 0.25");
     CHECK_REAL(checks_average(3.5f, -1.25f, 0.25f), 1, exactly());
-    given("a small box inside a square: x = 3.5, z = -2.25, w = 0.25");
+    given("a small box inside a square: x = 3.5, z = -2.75, w = 0.25");
     CHECK_REAL(checks_average(3.5f, -2.75f, 0.25f), 0, exactly());
     given("a box of two whole periods: x = 0.3, z = 0.7, w = 4: as much of each");
     CHECK_REAL(checks_average(0.3f, 0.7f, 4), 0.5, absolute_of(4e-7, "float coordinates"));
@@ -292,13 +339,17 @@ static void board(void) {
 int main(void) {
     static const char *const solve =
         "Solve (O + t d - x)·n = 0 for t, by hand, for these numbers.";
-    static const char *const only_zero =
-        "Only d·n == 0, exactly, is parallel: a threshold also throws away short d.";
+    static const char *const solve_in_double =
+        "Is the formula right? Then both dot products in double, by wide_dot(widen(..), ..): "
+        "a double that holds dot(..) comes too late.";
+    static const char *const only_zero = "If you got a miss: only d·n == 0, exactly, is "
+                                         "parallel; a threshold throws away short d. "
+                                         "If only the last digits differ: double inside.";
     static const char *const double_inside =
         "Float products cancel here. Work out both dot products in double.";
     static const test tests[] = {
         {"plane_hit: worked out by hand", by_hand, solve},
-        {"plane_hit: 2000 generic planes", generic_planes, solve},
+        {"plane_hit: 2000 generic planes", generic_planes, solve_in_double},
         {"plane_hit: what t < 0 means", behind,
          "The plane lies behind the eye: not above t_min."},
         {"plane_hit: t_min < t < t_max", interval, "Both ends are excluded."},
@@ -308,15 +359,20 @@ int main(void) {
         {"plane_hit: tiny and huge d", no_epsilon, only_zero},
         {"plane_hit: grazing rays", grazing, double_inside},
         {"plane_hit: far from the origin", far_away,
-         "Subtract first: (x - O)·n, not x·n - O·n."},
+         "Subtract first, and in double: (x - O)·n, not x·n - O·n."},
         {"plane_hit: NaN is no hit", not_a_number,
          "Write t > t_min && t < t_max: NaN fails both."},
         {"plane_surface: the error bound holds", error_bound, solve},
         {"disc_hit: 4000 generic discs", disc_generic, "How far is O + t d from the centre?"},
+        {"disc_hit: seen from far away", disc_far,
+         "The t of plane_hit is rounded to real: far away its point is off by more than you "
+         "think."},
         {"disc_hit: the rim and the interval", disc_rim, "The rim belongs to the disc."},
         {"disc_hit: radius 0", disc_of_nothing, "A disc without area is never hit."},
-        {"checks_average: against counting", average_counted,
+        {"checks_average: boxes of 0.05 to 5 squares", average_generic,
          "Average each wave, then multiply."},
+        {"checks_average: small boxes far out", average_small,
+         "x + w/2 needs more digits than a float has: double, from the first operation."},
         {"checks_average: limits", average_limits, "Which squares does the box cover?"},
         {"checks: the board itself", board, "floor, not a cast: -0.5 lies in square -1."},
     };

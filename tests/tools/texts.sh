@@ -43,6 +43,20 @@ blocks() { # text: complains about C blocks that are not in the code
     END { exit bad }' "$1"
 }
 
+# The rows of a build with double, where a table has both, are folded away below it.
+fold() { # table
+    grep -v ', double *|' "$1" >"$scratch/single"
+    { sed -n 1,2p "$1" && grep ', double *|' "$1"; } >"$scratch/double"
+    if [ "$(wc -l <"$scratch/single")" -le 2 ] || [ "$(wc -l <"$scratch/double")" -le 2 ]; then
+        cat "$1"
+        return
+    fi
+    cat "$scratch/single"
+    printf '\n<details><summary>The same with REAL=double</summary>\n\n'
+    cat "$scratch/double"
+    printf '\n</details>\n'
+}
+
 tables() { # text chapter: prints the text with its tables made anew
     while IFS= read -r line; do
         case $line in
@@ -60,7 +74,7 @@ tables() { # text chapter: prints the text with its tables made anew
         skip=yes
         sh common/tables.sh "$csv" "$name" "$kind" >"$scratch/table"
         [ -s "$scratch/table" ] || echo "(there is no table \"$name\")"
-        cat "$scratch/table"
+        fold "$scratch/table"
     done <"$1"
 }
 

@@ -1,5 +1,5 @@
 // Wrong: a threshold against parallel rays throws away every hit of a short d.
-// Expect: Only d·n == 0, exactly, is parallel
+// Expect: only d·n == 0, exactly, is parallel
 // Expect: reported as a miss
 #include "chapters/03-plane/plane.h"
 #include "common/wide3.h"
