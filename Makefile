@@ -173,9 +173,9 @@ test: $B/check-fixtures $B/test/check $(CHAPTERS:%=$B/test/%)
 
 # An answer that does not compile must not hide the others: -k, and the report tells.
 progress:
-	@rm -rf $B/one
+	@mkdir -p build && rm -rf $B/one
 	@$(MAKE) -k --no-print-directory one > build/progress.log 2>&1 || true
-	@$(foreach c,$(CHAPTERS),$(foreach e,$(call exercises,$c),echo "$c $e $B/one/$c/$e";)) > build/progress.list
+	@{ $(foreach c,$(CHAPTERS),$(foreach e,$(call exercises,$c),echo "$c $e $B/one/$c/$e";)) } > build/progress.list
 	@sh tests/tools/progress.sh build/progress.list
 .PHONY: one
 one: $(ONE)

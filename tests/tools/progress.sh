@@ -18,7 +18,7 @@ unset T TAP JUNIT SOLUTIONS
 # What the program's tests say of the exercise, in words.
 state() { # CHAPTER EXERCISE PROGRAM
     if [ "$3" = - ] || [ ! -x "$3" ]; then
-        echo 'does not compile'
+        echo "does not compile (make test-${1%%-*} T=$2)"
         return
     fi
     passed=0 failed=0 todo=0 again="make test-${1%%-*} T=$2"
