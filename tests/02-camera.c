@@ -166,6 +166,8 @@ static void canonical_exact(void) {
         const real x = (real)(column + 0.5), y = (real)(row + 0.5);
         const vec3 d = {(real)(x - 8192), (real)(6144 - y), (real)-7777.5};
         given_camera(&cam, x, y);
+        suspect_vec3("half a pixel was added: x and y are a centre already",
+                     add(d, (vec3){0.5f, -0.5f, 0}));
         CHECK_VEC3(camera_ray(&cam, x, y).d, d, exactly());
     }
 }

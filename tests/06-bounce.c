@@ -171,6 +171,7 @@ static void fuzz_grazing(void) {
         const vec3 n = generic_unit(&g);
         vec3 d = arriving(n, REAL_EPSILON * (real)pow(10, (double)between(&g, -2, 1)), 1);
         if (!(dot(d, n) < 0)) continue;
+        given("fuzz = 0, every draw is the same; d = " VEC ", n = " VEC, ARG(d), ARG(n));
         const vec3 v = fuzzy_bounce(d, n, 0, &g);
         given("fuzz = 0, d = " VEC ", n = " VEC ": the bounce is " VEC, ARG(d), ARG(n), ARG(v));
         CHECK(dot(v, n) > 0, "the bounce leaves the surface: result·n > 0");

@@ -1,13 +1,17 @@
 // check-fixtures.c: tests that go wrong in every way the runner knows, one way
-// each. check-self.c runs them and reads what the runner says.
-#define _POSIX_C_SOURCE 200809L
+// each; wrong values stand in check-rows.h. check-self.c runs them and reads what
+// the runner says.
+#define _XOPEN_SOURCE 700 // POSIX 2008 with SIGXCPU
 
 #include "common/todo.h"
+#include "tests/check-rows.h"
 #include "tests/check.h"
 
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 // ---- What students' code does to a process ---------------------------------
 
@@ -56,6 +60,23 @@ static void flood(void) {
     while (zero == 0) printf("the same line again and again\n");
 }
 
+// What the limit of processor time does, without the wait.
+static void out_of_time(void) {
+    given("a test that is out of time, %g", -NAN);
+    raise(SIGXCPU);
+}
+
+static void asleep(void) {
+    for (;;) sleep(1000);
+}
+
+// Seconds of processor time that this process may take.
+static void time_limit(void) {
+    struct rlimit r = {0};
+    getrlimit(RLIMIT_CPU, &r);
+    CHECK_INT(r.rlim_cur, zero);
+}
+
 static void printing(void) {
     for (int i = 1; i <= 12; i++) printf("line %d <&>\"\x01\xff\n", i);
     CHECK(zero == 1, "this < fails & \"prints\"");
@@ -96,36 +117,22 @@ static void chi2(void) { // tables: NIST/SEMATECH e-Handbook, 1.3.6.7.4
     CHECK_REAL(chi2_limit(100, 0.05), 124.342, relative_to(1e-3, "Wilson-Hilferty"));
 }
 
-// ---- Wrong values, as rows -------------------------------------------------
-// X(name of the test, what is got)
+// ---- Wrong values ----------------------------------------------------------
 
-// clang-format off
-#define EXPECTED 3.7
-#define REAL_ROWS(X) \
-    X(minus, -3.7) X(twice, 7.4) X(half, 1.85) X(four, 14.8) X(quarter, 0.925) \
-    X(times_pi, 3.7 * PI) X(over_pi, 3.7 / PI) X(times_2pi, 7.4 * PI) X(over_2pi, 1.85 / PI) \
-    X(square, 3.7 * 3.7) X(root, 1.9235384) X(reciprocal, 1 / 3.7) X(nothing, 0) X(nan, NAN) \
-    X(infinity, INFINITY) X(minus_infinity, -INFINITY) X(slightly, 3.7001) X(no_idea, 5.55)
-#define REAL_TEST(name, got) \
-    static void real_##name(void) { CHECK_REAL(got, EXPECTED, roundings(4, "a reason")); }
-#define REAL_ENTRY(name, got) {"real: " #name ".", real_##name, NULL},
+#define REAL_TEST(name, got, words)                               \
+    static void real_##name(void) {                               \
+        CHECK_REAL(got, REAL_EXPECTED, roundings(4, "a reason")); \
+    }
+#define REAL_ENTRY(name, got, words) {"real: " #name ".", real_##name, NULL},
 REAL_ROWS(REAL_TEST)
 
-// X(name of the test, x, y, z)
-#define VEC3_ROWS(X) \
-    X(negated, -0.48, 0.6, -0.64) X(flip_x, -0.48, -0.6, 0.64) X(flip_y, 0.48, 0.6, 0.64) \
-    X(flip_z, 0.48, -0.6, -0.64) X(swap_xy, -0.6, 0.48, 0.64) X(swap_yz, 0.48, 0.64, -0.6) \
-    X(swap_xz, 0.64, -0.6, 0.48) X(shift, -0.6, 0.64, 0.48) X(longer, 1.2, -1.5, 1.6) \
-    X(twice, 0.96, -1.2, 1.28) X(squared, 0.2304, 0.36, 0.4096) X(nothing, 0, 0, 0) \
-    X(nan, NAN, 0, 0) X(no_idea, 0.9, 0.2, 0.1)
-#define VEC3_TEST(name, x, y, z) \
-    static void vec3_##name(void) { \
-        CHECK_VEC3(((vec3){(real)x, (real)y, (real)z}), \
-                   ((vec3){(real)0.48, (real)-0.6, (real)0.64}), roundings(4, "a reason")); \
+#define VEC3_TEST(name, x, y, z, words)                                         \
+    static void vec3_##name(void) {                                             \
+        const vec3 got = {(real)x, (real)y, (real)z}, expected = VEC3_EXPECTED; \
+        CHECK_VEC3(got, expected, roundings(4, "a reason"));                    \
     }
-#define VEC3_ENTRY(name, x, y, z) {"vec3: " #name ".", vec3_##name, NULL},
+#define VEC3_ENTRY(name, x, y, z, words) {"vec3: " #name ".", vec3_##name, NULL},
 VEC3_ROWS(VEC3_TEST)
-// clang-format on
 
 static void suspect_first(void) {
     given("the value that the test foresaw, %d", 7);
@@ -147,6 +154,19 @@ static void suspects_forgotten(void) {
     suspect_value("an old suspicion", 5.55);
     given("something else");
     CHECK_REAL(5.55, 3.7, exactly());
+}
+
+static void suspect_nearly(void) {
+    suspect_value("what the cheap formula gives", 3.7001);
+    CHECK_REAL(3.7001, 3.7, exactly());
+}
+
+static void in_double(void) {
+    CHECK_REAL(3.7 * (1 + 1e-13), 3.7, exactly());
+}
+
+static void statistics(void) {
+    CHECK_REAL(1.00009, 1, standard_errors(4, 1e-5));
 }
 
 static void zero_expected(void) {
@@ -179,23 +199,35 @@ static void nan_at_most(void) {
 
 int main(void) {
     static const test tests[] = {
-        {"crash: null pointer", null_pointer, "Look at the pointer."},
-        {"crash: loop", loop, NULL},
-        {"crash: recursion", recursion, "Where does it end?"},
-        {"crash: division", division, NULL},
-        {"crash: abort", aborting, NULL},
-        {"crash: exit", leaving, NULL},
-        {"crash: flood", flood, NULL},
+        {"crash: null pointer", null_pointer, "a hint"},
+        {"crash: exit", leaving, "a hint"},
+        {"crash: flood", flood, "a hint"},
+        {"crash: recursion", recursion, "a hint"},
+        {"crash: division", division, "a hint"},
+        {"crash: abort", aborting, "a hint"},
+        {"loop: without end", loop, "a hint"},
+        {"stuck: first", out_of_time, "a hint"},
+        {"unstuck: passes", passing, NULL},
+        {"stuck: second", passing, NULL},
+        {"unstuck: time limit", time_limit, NULL},
+        {"stuck: third", passing, NULL},
+        {"asleep", asleep, NULL}, // without a colon: T=: leaves it out, it takes seconds
+        {"asleep", passing, NULL},
         {"print: <tag> & #1", printing, "a hint"},
         {"todo: wrong", todo_wrong, NULL},
         {"todo: right", todo_right, NULL},
         {"todo: crash", todo_crash, NULL},
+        {"stub: wrong", todo_wrong, NULL},
+        {"stub: right", todo_right, NULL},
         {"pass: everything", passing, NULL},
         {"pass: chi2", chi2, NULL},
         REAL_ROWS(REAL_ENTRY) VEC3_ROWS(VEC3_ENTRY){"suspect: first", suspect_first, NULL},
         {"suspect: factor", suspect_times, NULL},
         {"suspect: vector", suspect_vector, NULL},
+        {"suspect: nearly", suspect_nearly, NULL},
         {"suspect: forgotten", suspects_forgotten, NULL},
+        {"nearly: in double", in_double, NULL},
+        {"statistics: not nearly", statistics, NULL},
         {"zero: expected", zero_expected, NULL},
         {"one: expected", one_expected, NULL},
         {"miss: expected", miss_expected, NULL},

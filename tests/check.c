@@ -25,6 +25,15 @@ _Noreturn void runner_die(const char *what) {
     exit(EXIT_FAILURE);
 }
 
+int exercise_length(const test *t) {
+    return (int)strcspn(t->name, ":");
+}
+
+bool same_exercise(const test *a, const test *b) {
+    const int length = exercise_length(a);
+    return length == exercise_length(b) && strncmp(a->name, b->name, (size_t)length) == 0;
+}
+
 // The tests whose name contains `filter`, as results to be filled in.
 static summary choose(const char *suite, const test *tests, int count, const char *filter) {
     summary s = {.suite = suite, .results = calloc((size_t)count + 1, sizeof *s.results)};
@@ -34,11 +43,26 @@ static summary choose(const char *suite, const test *tests, int count, const cha
     return s;
 }
 
+// What does not come back costs its time once, not with every test.
+static void run_one(const summary *s, result *r) {
+    bool stuck_before = false;
+    for (const result *before = s->results; before < r; before++) {
+        if (!before->stuck) continue;
+        stuck_before = true;
+        r->skipped |= same_exercise(before->test, r->test);
+    }
+    r->cpu_limit = child_cpu_limit(stuck_before);
+    if (r->skipped)
+        verdict_skip(r);
+    else
+        process_run(r);
+}
+
 static void run_all(summary *s) {
-    for (int i = 0; i < s->count; i++) {
-        process_run(&s->results[i]);
-        s->tally[s->results[i].verdict]++;
-        report_test(&s->results[i], i + 1);
+    for (result *r = s->results; r < s->results + s->count; r++) {
+        run_one(s, r);
+        s->tally[r->verdict]++;
+        report_test(s, r);
     }
 }
 

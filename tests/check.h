@@ -16,8 +16,9 @@
 //         return run_tests("04-sphere", tests, COUNT(tests));
 //     }
 //
-// A test's name begins with the exercise that it judges, then a colon.
-// The first failed check ends its test. Environment: T=text runs only the tests
+// A test's name begins with the exercise that it judges, then a colon. The first
+// failed check ends its test. Once a test did not come back, the others of its
+// exercise are not run and count as failed. Environment: T=text runs only the tests
 // whose name contains text, TAP=1 prints TAP, JUNIT=file writes JUnit XML,
 // TALLY=file appends "passed failed todo", TEST_SECONDS=n changes the limit.
 #ifndef TESTS_CHECK_H
@@ -28,7 +29,7 @@
 typedef struct {
     const char *name;
     void (*run)(void);
-    const char *hint; // shown when the test fails; not the answer
+    const char *hint; // shown when the answer is wrong, not when there is none
 } test;
 
 // Runs the suite and prints a line per test, then "N passed, N failed". Returns

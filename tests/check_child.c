@@ -26,15 +26,17 @@
 #define SANITIZED 0
 #endif
 
-enum { CPU_SECONDS = SANITIZED ? 40 : 10 }; // of one test; a sanitizer costs up to 4 times
+enum { SLOWER = SANITIZED ? 4 : 1 }; // a sanitizer costs up to so many times
+enum { CPU_SECONDS = 10 * SLOWER, SECONDS_LATER = 2 * SLOWER };
 static const rlim_t MEMORY_LIMIT = (rlim_t)4 << 30; // bytes
 
 // ---- Limits ---------------------------------------------------------------
 
-int child_cpu_limit(void) {
+int child_cpu_limit(bool stuck_before) {
     const char *value = runner_setting("TEST_SECONDS");
     const int seconds = value ? atoi(value) : 0;
-    return seconds > 0 ? seconds : CPU_SECONDS;
+    if (seconds > 0) return seconds;
+    return stuck_before ? SECONDS_LATER : CPU_SECONDS;
 }
 
 // Lowers a limit; never raises one that was set from outside.
@@ -47,9 +49,8 @@ static void limit(int resource, rlim_t soft, rlim_t hard) {
     setrlimit(resource, &r);
 }
 
-static void set_limits(void) {
-    const rlim_t seconds = (rlim_t)child_cpu_limit();
-    limit(RLIMIT_CPU, seconds, seconds + 1);
+static void set_limits(rlim_t cpu_seconds) {
+    limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);
     limit(RLIMIT_CORE, 0, 0);
     if (SANITIZED) return; // its shadow memory takes terabytes of addresses
     limit(RLIMIT_AS, MEMORY_LIMIT, MEMORY_LIMIT);
@@ -113,16 +114,16 @@ static void connect_output(int printed_end) {
     setvbuf(stdout, NULL, _IOLBF, 0); // what was printed before a crash must be seen
 }
 
-_Noreturn void child_run(const test *t, int printed_end, int verdict_end) {
+_Noreturn void child_run(const result *r, int printed_end, int verdict_end) {
     setpgid(0, 0);
     signal(SIGINT, SIG_DFL);
     signal(SIGTERM, SIG_DFL);
     connect_output(printed_end);
     verdict_pipe = verdict_end;
-    running_test = t;
-    set_limits();
+    running_test = r->test;
+    set_limits((rlim_t)r->cpu_limit);
     catch_crashes();
-    t->run();
+    running_test->run();
     if (todo_first()) end_test("t", todo_first());
     end_test("p", "");
 }

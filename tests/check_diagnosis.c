@@ -1,77 +1,37 @@
 // check_diagnosis.c: what does a wrong answer look like? First the suspects that
-// the test named, then the usual slips: a sign, a factor, swapped axes.
+// the test named, then too few digits and the usual slips: a sign, a factor,
+// swapped axes.
 #define _POSIX_C_SOURCE 200809L
 
 #include "tests/check.h"
 #include "tests/check_inside.h"
 
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-
-// ---- What is given, and what wrong answers the test foresees ---------------
-
-typedef struct {
-    enum { VALUE, VECTOR, FACTOR } kind;
-    const char *what;
-    double number; // the value or the factor
-    vec3 vector;
-} suspect;
-
-static struct {
-    char given[2048];
-    suspect suspects[16];
-    int count;
-} about;
-
-void given(const char *format, ...) {
-    va_list args;
-    va_start(args, format);
-    vsnprintf(about.given, sizeof about.given, format, args);
-    va_end(args);
-    about.count = 0;
-}
-
-const char *given_text(void) {
-    return about.given;
-}
-
-static void add_suspect(suspect s) {
-    if (about.count == COUNT(about.suspects)) {
-        fprintf(stderr, "check: more than %d suspects\n", about.count);
-        abort();
-    }
-    about.suspects[about.count++] = s;
-}
-
-void suspect_value(const char *what, double value) {
-    add_suspect((suspect){.kind = VALUE, .what = what, .number = value});
-}
-
-void suspect_vec3(const char *what, vec3 value) {
-    add_suspect((suspect){.kind = VECTOR, .what = what, .vector = value});
-}
-
-void suspect_factor(const char *what, double factor) {
-    add_suspect((suspect){.kind = FACTOR, .what = what, .number = factor});
-}
-
 // ---- Aiming at a guess ----------------------------------------------------
 // A guess must be near got, and much nearer than expected is: with expected = 1
 // the square, the root and the reciprocal say nothing.
-
-typedef struct {
-    double far;   // |got - expected|
-    double slack; // relative: how near a guess must be
-} aim;
 
 static aim aim_at(double far, double size, allowance allowed) {
     const double own = size > 0 ? allowance_slack(allowed, size) / size : 0;
     return (aim){far, fmin(fmax(own, 1e-3), 2e-2)};
 }
 
-static bool hits(aim a, double distance, double size) {
+bool aim_hits(aim a, double distance, double size) {
     return distance <= a.slack * size && 4 * distance < a.far;
+}
+
+// ---- Rounding --------------------------------------------------------------
+
+// Off by so little, relatively, an answer is hardly a wrong formula's.
+static const double NEARLY = 1e-4;
+// An allowance larger than this is no rounding's: it speaks of statistics.
+static const double LARGEST_ROUNDING = 1e-5;
+
+static const char *nearly_right(double off, double size, allowance allowed) {
+    if (!isfinite(off) || off > NEARLY * size) return NULL;
+    if (allowance_slack(allowed, size) > LARGEST_ROUNDING * size) return NULL;
+    const bool in_float = sizeof(real) == sizeof(float) && off > REAL_EPSILON / 8 * size;
+    return in_float ? "the right formula with too few digits: rounding. Double inside?"
+                    : "the right formula with too few digits: rounding that could be avoided";
 }
 
 // ---- Real numbers ---------------------------------------------------------
@@ -103,16 +63,7 @@ const char *diagnose_odd(double got, double expected) {
 }
 
 static bool looks_like(aim a, double got, double guess) {
-    return hits(a, fabs(got - guess), fabs(guess));
-}
-
-static const char *suspected_real(double got, double expected, aim a) {
-    for (const suspect *s = about.suspects; s < about.suspects + about.count; s++) {
-        const double guess = s->kind == FACTOR ? s->number * expected : s->number;
-        if (s->kind == VECTOR || (s->kind == FACTOR && expected == 0)) continue;
-        if (got == guess || looks_like(a, got, guess)) return s->what;
-    }
-    return NULL;
+    return aim_hits(a, fabs(got - guess), fabs(guess));
 }
 
 static const char *known_factor(double got, double expected, aim a) {
@@ -135,6 +86,8 @@ const char *diagnose_real(double got, double expected, allowance allowed) {
     if (diagnose_odd(got, expected)) return diagnose_odd(got, expected);
     if (expected == 0) return NULL;
     if (got == 0) return "nothing was computed?";
+    const char *nearly = nearly_right(a.far, fabs(expected), allowed);
+    if (nearly) return nearly;
     const char *factor = known_factor(got, expected, a);
     return factor ? factor : known_function(got, expected, a);
 }
@@ -148,8 +101,8 @@ typedef struct {
 
 static const char *nearest_guess(const guess3 *guesses, int count, vec3 got, aim a) {
     for (int i = 0; i < count; i++)
-        if (hits(a, distance_in_double(got, guesses[i].value),
-                 length_in_double(guesses[i].value)))
+        if (aim_hits(a, distance_in_double(got, guesses[i].value),
+                     length_in_double(guesses[i].value)))
             return guesses[i].what;
     return NULL;
 }
@@ -173,23 +126,13 @@ static const char *diagnose_order(vec3 got, vec3 e, aim a) {
 static const char *diagnose_length(vec3 got, vec3 expected, aim a) {
     const double size = length_in_double(expected), factor = length_in_double(got) / size;
     const vec3 stretched = scale((real)factor, expected);
-    if (!hits(a, distance_in_double(got, stretched), length_in_double(stretched))) return NULL;
+    if (!aim_hits(a, distance_in_double(got, stretched), length_in_double(stretched)))
+        return NULL;
     if (fabs(factor - 1) < 1e-3) return NULL; // as good as the same length
     for (int i = 1; i < COUNT(factors); i++)  // 0: minus, a length is positive
         if (fabs(factor / factors[i].factor - 1) <= a.slack) return factors[i].what;
     const char *why = fabs(size - 1) < 1e-3 ? ": not normalised?" : "";
     return text_kept("the right direction, but %.4g times as long%s", factor, why);
-}
-
-static const char *suspected_vec3(vec3 got, vec3 expected, aim a) {
-    for (const suspect *s = about.suspects; s < about.suspects + about.count; s++) {
-        const bool factor = s->kind == FACTOR;
-        const guess3 guess = {s->what, factor ? scale((real)s->number, expected) : s->vector};
-        if (s->kind == VALUE || (factor && length_in_double(expected) == 0)) continue;
-        if (distance_in_double(got, guess.value) == 0 || nearest_guess(&guess, 1, got, a))
-            return s->what;
-    }
-    return NULL;
 }
 
 static const char *odd_component(vec3 v) {
@@ -207,6 +150,8 @@ const char *diagnose_vec3(vec3 got, vec3 expected, allowance allowed) {
     if (!is_finite(got)) return odd_component(got);
     if (length_in_double(expected) == 0 || !is_finite(expected)) return NULL;
     if (length_in_double(got) == 0) return "nothing was computed?";
+    const char *nearly = nearly_right(a.far, length_in_double(expected), allowed);
+    if (nearly) return nearly;
     const char *order = diagnose_order(got, expected, a);
     return order ? order : diagnose_length(got, expected, a);
 }
@@ -214,8 +159,7 @@ const char *diagnose_vec3(vec3 got, vec3 expected, allowance allowed) {
 // ---- Whole numbers --------------------------------------------------------
 
 const char *diagnose_int(long got, long expected) {
-    for (const suspect *s = about.suspects; s < about.suspects + about.count; s++)
-        if (s->kind == VALUE && (double)got == s->number) return s->what;
+    if (suspected_int(got)) return suspected_int(got);
     if (got == expected + 1) return "one too many";
     if (got == expected - 1) return "one too few";
     return NULL;

@@ -7,7 +7,8 @@
 //     check_verdict.c    what its end means: passed, failed, missing
 //     check_report.c     people, TAP, JUnit, tally
 //     check_values.c     the checks and their allowances
-//     check_diagnosis.c  what a wrong answer looks like
+//     check_suspects.c   what is given, and what wrong answers a test foresees
+//     check_diagnosis.c  what a wrong answer looks like otherwise
 //     check_text.c       text that grows, numbers as text
 #ifndef TESTS_CHECK_INSIDE_H
 #define TESTS_CHECK_INSIDE_H
@@ -47,7 +48,10 @@ typedef enum { PASSED, FAILED, MISSING } verdict; // MISSING: a TODO was reached
 
 typedef struct {
     const test *test;
+    int cpu_limit; // seconds of processor time that it may take
     verdict verdict;
+    bool stuck;   // FAILED: it did not come back and was stopped
+    bool skipped; // FAILED: not run, since a test of its exercise got stuck before
     double seconds;
     text message; // FAILED: the rows; MISSING: what is missing and where
 } result;
@@ -57,6 +61,10 @@ typedef struct {
     result *results;
     int count, tally[3]; // tally[verdict]
 } summary;
+
+// The length of the exercise's name, with which a test's name begins.
+int exercise_length(const test *t);
+bool same_exercise(const test *a, const test *b);
 
 // The environment's value, or NULL when it is unset or empty.
 const char *runner_setting(const char *name);
@@ -68,16 +76,17 @@ _Noreturn void runner_die(const char *what);
 // ---- check_process.c ------------------------------------------------------
 
 enum { OUTPUT_LIMIT = 64 * 1024 }; // bytes
+enum { WALL_PER_CPU = 6 };         // of the time limits; generous: the machine may be busy
 enum { PRINTED, VERDICT };         // the two pipes from a test's process
 
 // What a test's process left behind.
 typedef struct {
-    int status; // from waitpid
+    int status;                                      // from waitpid
+    enum { NOT_STOPPED, FLOODED, TOO_LONG } stopped; // by the runner
     struct {
         size_t size;
         char data[OUTPUT_LIMIT + 1]; // ends with a 0
     } got[2];                        // from each pipe
-    char stopped[80];                // why the runner stopped it, or ""
 } ending;
 
 // Runs r->test in a process of its own and fills in the rest of r.
@@ -99,10 +108,11 @@ typedef struct {
 
 enum { STACK_LIMIT = 8 << 20 }; // bytes; the usual default, for all
 
-// Seconds of processor time that a test may take.
-int child_cpu_limit(void);
+// Seconds of processor time that a test may take; less once another got stuck,
+// since both may call the same function.
+int child_cpu_limit(bool stuck_before);
 // The whole life of a test's process; the pipes' ends to write to.
-_Noreturn void child_run(const test *t, int printed_end, int verdict_end);
+_Noreturn void child_run(const result *r, int printed_end, int verdict_end);
 
 // Ends the test that runs in this process as failed: `rows` say what was given,
 // called, expected and got.
@@ -112,11 +122,13 @@ _Noreturn void test_failed(text *rows, const char *file, int line);
 
 // Fills in the verdict and the message.
 void verdict_judge(result *r, const ending *e);
+// The same for a test that is not run, since its exercise got stuck.
+void verdict_skip(result *r);
 
 // ---- check_report.c -------------------------------------------------------
 
 void report_start(const summary *s);
-void report_test(const result *r, int number); // number: from 1
+void report_test(const summary *s, const result *r); // r: one of s->results
 // The closing line, JUNIT's and TALLY's files; false when one cannot be written.
 bool report_end(const summary *s, bool all_right);
 // The same when there was no test to run.
@@ -131,10 +143,26 @@ double allowance_slack(allowance allowed, double size);
 double length_in_double(vec3 v);
 double distance_in_double(vec3 a, vec3 b);
 
-// ---- check_diagnosis.c ----------------------------------------------------
+// ---- check_suspects.c -----------------------------------------------------
 
 // What was given last, "" when nothing was. Safe in a signal handler.
 const char *given_text(void);
+
+// How near a guess must be to count.
+typedef struct {
+    double far;   // |got - expected|
+    double slack; // relative
+} aim;
+
+// What the suspect that fits is called, or NULL.
+const char *suspected_real(double got, double expected, aim a);
+const char *suspected_vec3(vec3 got, vec3 expected, aim a);
+const char *suspected_int(long got);
+
+// ---- check_diagnosis.c ----------------------------------------------------
+
+// Whether a guess of this size, at this distance from got, is near enough.
+bool aim_hits(aim a, double distance, double size);
 
 // What the wrong answer `got` looks like, or NULL: better silent than wrong.
 const char *diagnose_real(double got, double expected, allowance allowed);

@@ -16,8 +16,6 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { WALL_PER_CPU = 6 }; // generous: the machine may be busy
-
 typedef struct {
     pid_t pid;
     struct pollfd pipes[2];
@@ -48,7 +46,7 @@ static struct pollfd read_end(int fd) {
     return (struct pollfd){.fd = fd, .events = POLLIN};
 }
 
-static void start(process *p, const test *t) {
+static void start(process *p, const result *r) {
     int printed[2], verdicts[2];
     if (pipe(printed) != 0 || pipe(verdicts) != 0) runner_die("open a pipe");
     fflush(NULL); // or the child would write the runner's lines again
@@ -57,7 +55,7 @@ static void start(process *p, const test *t) {
     if (p->pid == 0) {
         close(printed[0]);
         close(verdicts[0]);
-        child_run(t, printed[1], verdicts[1]);
+        child_run(r, printed[1], verdicts[1]);
     }
     setpgid(p->pid, p->pid); // both do it: whoever comes first
     running_pid = p->pid;
@@ -82,18 +80,12 @@ static void drain(process *p, int which) {
     }
 }
 
-static void stop_if_over(process *p, double started) {
-    const int wall_limit = WALL_PER_CPU * child_cpu_limit();
+static void stop_if_over(process *p, double end) {
     ending *e = &p->end;
-    if (e->stopped[0]) return;
-    if (e->got[PRINTED].size >= OUTPUT_LIMIT)
-        snprintf(e->stopped, sizeof e->stopped, "flood of output: stopped after %d KiB",
-                 OUTPUT_LIMIT / 1024);
-    else if (now() - started > wall_limit)
-        snprintf(e->stopped, sizeof e->stopped, "endless loop? stopped after %d s", wall_limit);
-    else
-        return;
-    kill(-p->pid, SIGKILL);
+    if (e->stopped) return;
+    if (now() > end) e->stopped = TOO_LONG;
+    if (e->got[PRINTED].size >= OUTPUT_LIMIT) e->stopped = FLOODED;
+    if (e->stopped) kill(-p->pid, SIGKILL);
 }
 
 static void drain_both(process *p) {
@@ -101,13 +93,12 @@ static void drain_both(process *p) {
     drain(p, VERDICT);
 }
 
-static void watch(process *p) {
-    const double started = now();
+static void watch(process *p, double end) {
     while (waitpid(p->pid, &p->end.status, WNOHANG) == 0) {
         const bool open = p->pipes[PRINTED].fd >= 0 || p->pipes[VERDICT].fd >= 0;
         poll(p->pipes, 2, open ? 100 : 1); // milliseconds; both closed: it is about to end
         drain_both(p);
-        stop_if_over(p, started);
+        stop_if_over(p, end);
     }
     running_pid = 0;
     drain_both(p);
@@ -120,8 +111,8 @@ void process_run(result *r) {
     static process p; // static: in the child, a leak checker would miss its owner
     memset(&p, 0, sizeof p);
     const double started = now();
-    start(&p, r->test);
-    watch(&p);
+    start(&p, r);
+    watch(&p, started + WALL_PER_CPU * r->cpu_limit);
     r->seconds = now() - started;
     verdict_judge(r, &p.end);
 }

@@ -24,16 +24,45 @@ static void print_lines(const char *indent, const char *message) {
     }
 }
 
-static void print_for_people(const result *r) {
+static void print_verdict(verdict v) {
     static const char *const words[] = {"ok  ", "FAIL", "todo"};
     static const char *const colours[] = {"\033[32m", "\033[31m", "\033[33m"};
     const bool colour = isatty(STDOUT_FILENO) && !runner_setting("NO_COLOR");
+    printf("%s%s%s  ", colour ? colours[v] : "", words[v], colour ? "\033[0m" : "");
+}
+
+// Whether an earlier test of r's exercise has said the same.
+static bool is_repeated(const summary *s, const result *r) {
+    for (const result *b = s->results; b < r; b++)
+        if (b->verdict == r->verdict && b->skipped == r->skipped &&
+            same_exercise(b->test, r->test))
+            return true;
+    return false;
+}
+
+// One line for all tests of r's exercise that are to do, or that are not run.
+static void print_exercise(const summary *s, const result *r) {
+    if (is_repeated(s, r)) return;
+    int left = 0; // r is the first of them
+    for (const result *after = r; after < s->results + s->count; after++)
+        left += same_exercise(after->test, r->test);
+    print_verdict(r->verdict);
+    printf("%.*s", exercise_length(r->test), r->test->name);
+    if (r->skipped)
+        printf(": %d more test%s %s", left, left == 1 ? "" : "s", r->message.chars);
+    else
+        printf("   (%s)\n", r->message.chars);
+}
+
+static void print_for_people(const summary *s, const result *r) {
     if (r->verdict == PASSED && runner_flag("QUIET")) return;
-    printf("%s%s%s  %s", colour ? colours[r->verdict] : "", words[r->verdict],
-           colour ? "\033[0m" : "", r->test->name);
-    if (r->verdict == MISSING) printf("   (%s)", r->message.chars);
-    printf("\n");
-    if (r->verdict == FAILED) print_lines("      ", r->message.chars);
+    if (r->verdict == MISSING || r->skipped) {
+        print_exercise(s, r);
+        return;
+    }
+    print_verdict(r->verdict);
+    printf("%s\n", r->test->name);
+    print_lines("      ", r->message.chars);
 }
 
 static void print_tap(const result *r, int number) {
@@ -44,11 +73,11 @@ static void print_tap(const result *r, int number) {
     if (r->verdict == FAILED) print_lines("# ", r->message.chars);
 }
 
-void report_test(const result *r, int number) {
+void report_test(const summary *s, const result *r) {
     if (runner_flag("TAP"))
-        print_tap(r, number);
+        print_tap(r, (int)(r - s->results) + 1);
     else
-        print_for_people(r);
+        print_for_people(s, r);
 }
 
 static void print_end(const summary *s, bool all_right) {

@@ -54,6 +54,7 @@ const char *text_kept(const char *format, ...) {
 }
 
 short_text text_number(double x) {
+    if (isnan(x)) return (short_text){"nan"}; // printf may say -nan
     if (isinf(x)) return x > 0 ? (short_text){"infinity"} : (short_text){"-infinity"};
     short_text s;
     const int most = sizeof(real) == sizeof(float) ? 9 : 17;

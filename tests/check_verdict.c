@@ -5,6 +5,7 @@
 #include "tests/check_inside.h"
 
 #include <signal.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -25,9 +26,7 @@ static bool is_below_stack(const void *address) {
 
 static void explain_signal(text *t, crash c) {
     const bool bad_access = c.signal == SIGSEGV || c.signal == SIGBUS;
-    if (c.signal == SIGXCPU || c.signal == SIGKILL)
-        text_add(t, "endless loop? stopped after %d s\n", child_cpu_limit());
-    else if (bad_access && is_below_stack(c.address))
+    if (bad_access && is_below_stack(c.address))
         text_add(t, "crashed: endless recursion? (the stack ran out)\n");
     else if (bad_access)
         text_add(t, "crashed: bad pointer? (address 0x%jx)\n", (uintmax_t)(uintptr_t)c.address);
@@ -56,46 +55,76 @@ static void explain_sanitizer(text *t, const char *line) {
     text_add(t, "crashed: %s%.*s\n", guess, (int)strcspn(line, "\n"), line);
 }
 
-// The rows of a test that ended without a failed check.
-static void explain(text *t, const ending *e) {
-    const char *sanitizer = sanitizer_line(e->got[PRINTED].data), *said = e->got[VERDICT].data;
+// What crashed() in check_child.c sent, else what the status says.
+static crash crash_of(const ending *e) {
+    const char *said = e->got[VERDICT].data;
     crash c = {WIFSIGNALED(e->status) ? WTERMSIG(e->status) : 0, NULL};
-    const bool reported = *said == 'c' && e->got[VERDICT].size > sizeof c;
-    if (reported) memcpy(&c, said + 1, sizeof c);
-    if (e->stopped[0])
-        text_add(t, "%s\n", e->stopped);
+    if (*said == 'c' && e->got[VERDICT].size > sizeof c) memcpy(&c, said + 1, sizeof c);
+    return c;
+}
+
+// Stopped by the clock, or by the limit of processor time: SIGKILL follows SIGXCPU.
+static bool did_not_come_back(const ending *e) {
+    const int signal = crash_of(e).signal;
+    if (e->stopped) return e->stopped == TOO_LONG;
+    return signal == SIGXCPU || signal == SIGKILL;
+}
+
+static void explain_end(text *t, const ending *e) {
+    const char *sanitizer = sanitizer_line(e->got[PRINTED].data);
+    const crash c = crash_of(e);
+    if (e->stopped == FLOODED)
+        text_add(t, "flood of output: stopped after %d KiB\n", OUTPUT_LIMIT / 1024);
     else if (sanitizer)
         explain_sanitizer(t, sanitizer);
     else if (c.signal)
         explain_signal(t, c);
     else
         text_add(t, "left the program by exit(%d)\n", WEXITSTATUS(e->status));
-    const char *was_given = reported ? said + 1 + sizeof c : "";
-    if (*was_given) text_row(t, "given", "%s", was_given);
+}
+
+// The rows of a test that ended without a failed check. Without its hint, which
+// is about wrong values.
+static void explain(result *r, const ending *e) {
+    text *t = &r->message;
+    r->stuck = did_not_come_back(e);
+    if (r->stuck)
+        text_add(t, "endless loop? stopped after %d s\n",
+                 r->cpu_limit * (e->stopped ? WALL_PER_CPU : 1));
+    else
+        explain_end(t, e);
+    const char *said = e->got[VERDICT].data;
+    const bool reported = *said == 'c' && e->got[VERDICT].size > 1 + sizeof(crash);
+    if (reported) text_row(t, "given", "%s", said + 1 + sizeof(crash));
 }
 
 // ---- Stubs and output -----------------------------------------------------
 
-// The line "todo: WHAT (FILE:LINE)" that common/todo.c printed, or NULL.
-static const char *todo_line(const char *printed) {
-    const char *line = printed;
-    while (line && strncmp(line, "todo: ", 6) != 0) {
-        line = strchr(line, '\n');
-        if (line) line++;
+typedef struct {
+    char what[64], place[512];
+} todo;
+
+// The first line of common/todo.c's that was printed; false when there is none.
+static bool find_todo(const char *printed, todo *found) {
+    for (const char *line = printed; line; line = strchr(line, '\n')) {
+        line += *line == '\n';
+        if (sscanf(line, "todo: %63s is not written yet (%511[^)\n])", found->what,
+                   found->place) == 2)
+            return true;
     }
-    return line ? line + 6 : NULL;
+    return false;
 }
 
-// "WHAT: FILE:LINE" when the place is known, else what the test noted.
-static void describe_todo(text *t, const char *noted, const char *line) {
-    const size_t length = line ? strcspn(line, "\n") : 0;
-    const char *place = line ? line + length : NULL;
-    while (place && place > line && strncmp(place, " (", 2) != 0) place--;
-    if (!place || place == line || line[length - 1] != ')')
-        text_add(t, "%s", noted);
+// What a stub is in the way of: its own tests, or those of a later exercise.
+static void describe_todo(text *t, const test *of, const ending *e) {
+    const char *own = text_kept("%.*s", exercise_length(of), of->name);
+    todo found;
+    if (!find_todo(e->got[PRINTED].data, &found))
+        text_add(t, "%s is not written yet", e->got[VERDICT].data + 1);
+    else if (strcmp(found.what, own) == 0)
+        text_add(t, "not written yet, or its TODO line is still there: %s", found.place);
     else
-        text_add(t, "%.*s: %.*s", (int)(place - line), line, (int)(line + length - 3 - place),
-                 place + 2);
+        text_add(t, "%s is not written yet: %s", found.what, found.place);
 }
 
 static void add_printed(text *t, const char *printed) {
@@ -118,20 +147,23 @@ static verdict decide(const ending *e) {
     if (letter == 't') return MISSING;
     if (letter == 'f') return FAILED;
     if (letter == 'p' && clean && !sanitizer_line(printed)) return PASSED;
-    return todo_line(printed) ? MISSING : FAILED; // a crash because of what a stub returned
+    todo stub; // its answer led to a crash
+    return find_todo(printed, &stub) ? MISSING : FAILED;
 }
 
 void verdict_judge(result *r, const ending *e) {
-    const char *said = e->got[VERDICT].data, *printed = e->got[PRINTED].data;
+    const char *said = e->got[VERDICT].data;
     r->verdict = decide(e);
-    if (r->verdict == MISSING)
-        describe_todo(&r->message, *said == 't' ? said + 1 : "", todo_line(printed));
+    if (r->verdict == MISSING) describe_todo(&r->message, r->test, e);
     if (r->verdict != FAILED) return;
-    if (*said == 'f') {
+    if (*said == 'f')
         text_add(&r->message, "%s", said + 1);
-    } else {
-        explain(&r->message, e);
-        if (r->test->hint) text_row(&r->message, "hint", "%s", r->test->hint);
-    }
-    add_printed(&r->message, printed);
+    else
+        explain(r, e);
+    add_printed(&r->message, e->got[PRINTED].data);
+}
+
+void verdict_skip(result *r) {
+    r->verdict = FAILED;
+    text_add(&r->message, "not run: it did not come back\n");
 }

@@ -1,6 +1,6 @@
 // Wrong: draws again for ever, where every draw is the same.
 // Expect: endless loop
-// Expect: Here every new draw is the same
+// Expect: fuzz = 0, every draw is the same
 #include "chapters/06-bounce/bounce.h"
 
 vec3 fuzzy_bounce(vec3 d, vec3 n, real fuzz, rng *g) {

@@ -1,6 +1,6 @@
 // Wrong: s is never looked at.
 // Expect: endless loop
-// Expect: No bounces left and something in the way
+// Expect: no path can see the sky
 #include "chapters/06-bounce/bounce.h"
 
 color trace(const scene *sc, ray r, int s, rng *g) {
