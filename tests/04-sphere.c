@@ -56,7 +56,7 @@ static void given_roots(roots q, real t_min, real t_max) {
 }
 
 static void given_quadratic(double a, double b, double c) {
-    given("%.17g t² + %.17g t + %.17g = 0", a, b, c);
+    given("a = %.17g, b = %.17g, c = %.17g", a, b, c);
 }
 
 static void given_sphere(sphere S, ray r) {
@@ -76,20 +76,26 @@ typedef struct {
     real t_min, t_max, want;
 } choice_of_root;
 
+// A root that does not count, and why. False for NaN.
+static void suspect_root(double root, real t_min, real t_max) {
+    if ((real)root <= t_min)
+        suspect_value("a root that is not above t_min: it does not count", root);
+    if ((real)root >= t_max)
+        suspect_value("a root that is not below t_max: it does not count", root);
+}
+
+static void check_choice(const choice_of_root *c) {
+    const roots q = c->q;
+    const real t_min = c->t_min, t_max = c->t_max;
+    given_roots(q, t_min, t_max);
+    suspect_root(q.t0, t_min, t_max);
+    suspect_root(q.t1, t_min, t_max);
+    if (c->want == (real)q.t0 && q.count == 2) suspect_value("the larger root", q.t1);
+    CHECK_REAL(nearest_root(q, t_min, t_max), c->want, exactly());
+}
+
 static void check_choices(const choice_of_root *rows, int count) {
-    for (int i = 0; i < count; i++) {
-        const choice_of_root *c = &rows[i];
-        given_roots(c->q, c->t_min, c->t_max);
-        if (c->want != (real)c->q.t1 && c->q.count == 2)
-            suspect_value("the larger root", c->q.t1);
-        if (c->want != (real)c->q.t0 && c->q.t0 <= (double)c->t_min)
-            suspect_value("the smaller root, which is not above t_min", c->q.t0);
-        if (c->q.t0 >= (double)c->t_max || c->q.t1 >= (double)c->t_max) {
-            suspect_value("a root that is not below t_max", c->q.t0);
-            suspect_value("a root that is not below t_max", c->q.t1);
-        }
-        CHECK_REAL(nearest_root(c->q, c->t_min, c->t_max), c->want, exactly());
-    }
+    for (int i = 0; i < count; i++) check_choice(&rows[i]);
 }
 
 static void which_root(void) {
@@ -120,11 +126,9 @@ static void fewer_roots(void) {
         {{0, 2, 3}, 0, NO_HIT, NO_HIT},
         {{1, 2.5, 2.5}, 0, NO_HIT, 2.5f},
         {{1, -2.5, -2.5}, 0, NO_HIT, NO_HIT},
+        {{2, (double)NAN, (double)NAN}, 0, NO_HIT, NO_HIT},
     };
     check_choices(rows, COUNT(rows));
-    given("two roots that are not numbers");
-    CHECK_REAL(nearest_root((roots){2, (double)NAN, (double)NAN}, 0, NO_HIT), NO_HIT,
-               exactly());
 }
 
 static void root_by_search(void) {
@@ -138,7 +142,7 @@ static void root_by_search(void) {
             const real t = (real)(k ? q.t1 : q.t0);
             if (t_min < t && t < t_max) want = t;
         }
-        check_choices(&(choice_of_root){q, t_min, t_max, want}, 1);
+        check_choice(&(choice_of_root){q, t_min, t_max, want});
     }
 }
 
@@ -148,12 +152,10 @@ static void root_rounded(void) {
     for (int i = 0; i < 200; i++) {
         const real t = 1 + rng_real(&g);
         const double tiny = (double)REAL_EPSILON / 16;
-        const real above = nearest_root((roots){1, t * (1 + tiny), t * (1 + tiny)}, t, NO_HIT);
-        given("a root that rounds to t_min = %.9g", (double)t);
-        CHECK(above > t, "what comes back is above t_min, as a real");
-        const real below = nearest_root((roots){1, t * (1 - tiny), t * (1 - tiny)}, 0, t);
-        given("a root that rounds to t_max = %.9g", (double)t);
-        CHECK(below != t, "what comes back is below t_max, as a real, or NO_HIT");
+        const double above = t * (1 + tiny), below = t * (1 - tiny);
+        check_choice(&(choice_of_root){{1, above, above}, t, NO_HIT, NO_HIT});
+        check_choice(&(choice_of_root){{1, below, below}, 0, t, NO_HIT});
+        check_choice(&(choice_of_root){{2, above, 4.25}, t, NO_HIT, 4.25f});
     }
 }
 
@@ -169,46 +171,112 @@ static allowance double_roundings(double n) {
 
 static const double worst_of_quadratic = 4; // roundings: 1.5 in the discriminant, q, a quotient
 
-// Count and roots of `solve` against higher precision. a != 0.
-static double check_quadratic(roots (*solve)(double, double, double), double a, double b,
-                              double c, allowance allowed) {
+typedef struct {
+    exact discriminant, t0, t1; // t0 <= t1
+} pair;
+
+// By q, without cancellation. a != 0.
+static pair exact_roots(double a, double b, double c) {
     const exact discriminant = discriminant_of(a, b, c), s = exact_sqrt(discriminant);
-    const exact q = b > 0 ? -b - s : -b + s; // no cancellation
+    const exact q = b > 0 ? -b - s : -b + s;
     const exact x = q / (2 * (exact)a), y = q == 0 ? x : 2 * (exact)c / q;
-    const exact t0 = x < y ? x : y, t1 = x < y ? y : x;
-    const roots slide = solve_quadratic(a, b, c), got = solve(a, b, c);
+    return (pair){discriminant, x < y ? x : y, x < y ? y : x};
+}
+
+// Which of the two roots a check is about.
+static double end_of(double x, double y, bool larger) {
+    return larger ? fmax(x, y) : fmin(x, y);
+}
+
+// The classic slips, worked out as they would be in double. got is a, b, c with its mistake.
+static void suspect_q(double a, double b, double c, bool larger) {
+    const double h = b / 2, s = sqrt(h * h - a * c), S = sqrt(b * b - a * c);
+    const double q = -(h + copysign(s, h)), Q = -(b + copysign(S, b));
+    const double cancelled = -h + copysign(s, h);
+    suspect_value("h² - ac from two rounded products: the loss is there, not in q",
+                  end_of(q / a, c / q, larger));
+    suspect_value("q with the sign that cancels, -h + sign(h) sqrt(..)",
+                  end_of(cancelled / a, c / cancelled, larger));
+    suspect_value("q with the wrong sign: minus the other root",
+                  end_of(-q / a, -c / q, larger));
+    suspect_value("h = b: it is half of b", end_of(Q / a, c / Q, larger));
+    suspect_value("twice q: q = -(b + sign(b) sqrt(b² - 4ac)) / 2",
+                  end_of(2 * q / a, c / (2 * q), larger));
+}
+
+static void suspect_slide(double a, double b, double c, bool larger) {
+    const roots slide = solve_quadratic(a, b, c);
+    suspect_value("what the slide's formula gives: digits cancelled in -b ± sqrt(..), in "
+                  "b² - 4ac, or in both",
+                  larger ? slide.t1 : slide.t0);
+}
+
+static void given_root(double a, double b, double c, pair want, bool larger) {
     given_quadratic(a, b, c);
-    CHECK_INT(got.count, discriminant < 0 ? 0 : 2);
-    if (discriminant < 0) return 0;
+    if (b == 0) { // q = 0, and c / q is infinite or was avoided
+        suspect_value("a root for b = 0: is your sign(0) 0? It must be 1", 0);
+        suspect_value("a root for b = 0: is your sign(0) 0? It must be 1", HUGE_VAL);
+        suspect_value("a root for b = 0: is your sign(0) 0? It must be 1", -HUGE_VAL);
+    }
+    suspect_value("the two roots in the wrong order", (double)(larger ? want.t0 : want.t1));
+    suspect_q(a, b, c, larger);
+    suspect_slide(a, b, c, larger);
+}
+
+// The count that rounded products lead to, and the one with h = b, where they are wrong.
+static void given_count(double a, double b, double c, int want) {
+    const int rounded = b / 2 * (b / 2) - a * c >= 0 ? 2 : 0,
+              whole = b * b - a * c >= 0 ? 2 : 0;
     given_quadratic(a, b, c);
-    suspect_value("the two roots in the wrong order", (double)t1);
-    suspect_value("what the slide's formula gives: digits cancelled", slide.t0);
-    CHECK_REAL(got.t0, (double)t0, allowed);
+    if (rounded != want)
+        suspect_value("h² - ac from two rounded products: its sign is wrong", rounded);
+    else if (whole != want)
+        suspect_value("b² - ac: a quarter of the discriminant is (b/2)² - ac", whole);
+}
+
+// Count and roots of stable_quadratic against higher precision. a != 0. Returns the error.
+static double check_stable(double a, double b, double c) {
+    const pair want = exact_roots(a, b, c);
+    const int count = want.discriminant < 0 ? 0 : 2;
+    given_count(a, b, c, count);
+    CHECK_INT(stable_quadratic(a, b, c).count, count);
+    if (count == 0) return 0;
+    const allowance allowed = double_roundings(worst_of_quadratic);
+    given_root(a, b, c, want, false);
+    CHECK_REAL(stable_quadratic(a, b, c).t0, (double)want.t0, allowed);
+    given_root(a, b, c, want, true);
+    CHECK_REAL(stable_quadratic(a, b, c).t1, (double)want.t1, allowed);
+    const roots q = stable_quadratic(a, b, c);
+    return fmax(error_of(q.t0, want.t0), error_of(q.t1, want.t1));
+}
+
+static void check_slide(double a, double b, double c, double rounded) {
+    const pair want = exact_roots(a, b, c);
     given_quadratic(a, b, c);
-    suspect_value("what the slide's formula gives: digits cancelled", slide.t1);
-    CHECK_REAL(got.t1, (double)t1, allowed);
-    return fmax(error_of(got.t0, t0), error_of(got.t1, t1));
+    CHECK_INT(solve_quadratic(a, b, c).count, 2);
+    CHECK_REAL(solve_quadratic(a, b, c).t0, (double)want.t0, double_roundings(rounded));
+    CHECK_REAL(solve_quadratic(a, b, c).t1, (double)want.t1, double_roundings(rounded));
 }
 
 static void slide_quadratic(void) {
     rng g = rng_seed(4, 3);
-    check_quadratic(solve_quadratic, 2, -12, 10, double_roundings(4)); // 1 and 5
+    check_slide(2, -12, 10, 4); // 1 and 5
     for (int i = 0; i < 2000;
          i++) { // c of the other sign: the roots differ in sign, no cancellation
         const double a = of_size(&g, 0), b = of_size(&g, 0), c = copysign(of_size(&g, 0), -a);
-        check_quadratic(solve_quadratic, a, b, c, double_roundings(64));
+        check_slide(a, b, c, 64);
     }
-    given("0 t² + 4 t - 6 = 0: a line");
+    given("a = 0, b = 4, c = -6: a line");
     CHECK_INT(solve_quadratic(0, 4, -6).count, 1);
     CHECK_REAL(solve_quadratic(0, 4, -6).t0, 1.5, exactly());
     CHECK_INT(solve_quadratic(0, 0, -6).count, 0);
 }
 
 static void quadratic_by_hand(void) {
-    check_quadratic(stable_quadratic, 2, -12, 10, double_roundings(worst_of_quadratic));
-    check_quadratic(stable_quadratic, -2, 12, -10, double_roundings(worst_of_quadratic));
-    check_quadratic(stable_quadratic, 3, 1, -10, double_roundings(worst_of_quadratic));
-    check_quadratic(stable_quadratic, 1, 2, 3, double_roundings(worst_of_quadratic));
+    check_stable(2, -12, 10);
+    check_stable(-2, 12, -10);
+    check_stable(3, 1, -10);
+    check_stable(1, 2, 3);
 }
 
 static void quadratic_generic(void) {
@@ -217,8 +285,7 @@ static void quadratic_generic(void) {
     rng g = rng_seed(4, 4);
     for (int i = 0; i < N; i++) {
         const double a = of_size(&g, 0), b = of_size(&g, 0), c = of_size(&g, -1);
-        error[i] =
-            check_quadratic(stable_quadratic, a, b, c, double_roundings(worst_of_quadratic));
+        error[i] = check_stable(a, b, c);
     }
     given("20000 quadratics with coefficients between 0.1 and 2");
     CHECK_AT_MOST(quantile(error, N, 0.99), 3e-16, "99 of 100 within 1.5 steps of a double");
@@ -229,8 +296,8 @@ static void quadratic_cancels(void) {
     for (int k = 1; k <= 30; k++)
         for (int i = 0; i < 100; i++) {
             const double a = of_size(&g, 0), b = of_size(&g, 0), c = of_size(&g, -k);
-            check_quadratic(stable_quadratic, a, b, c, double_roundings(worst_of_quadratic));
-            check_quadratic(stable_quadratic, c, b, a, double_roundings(worst_of_quadratic));
+            check_stable(a, b, c);
+            check_stable(c, b, a);
         }
 }
 
@@ -242,15 +309,15 @@ static void quadratic_nearly_double(void) {
         const double a = fabs(of_size(&g, 0)), c = fabs(of_size(&g, 0));
         const double b = 2 * sqrt(a * c) * (1 + ((int)(rng_bits(&g) % 7) - 3) * DBL_EPSILON);
         none += discriminant_of(a, b, c) < 0;
-        check_quadratic(stable_quadratic, a, b, c, double_roundings(worst_of_quadratic));
+        check_stable(a, b, c);
     }
     CHECK(none > 4000 && none < 16000, "the test itself: both kinds occur");
     for (int i = 1; i < 1000; i++) { // (m t - n)² = 0
         const double m = 3 * i, n = 1000 - i;
-        given_quadratic(m * m, -2 * m * n, n * n);
-        const roots q = stable_quadratic(m * m, -2 * m * n, n * n);
-        CHECK_INT(q.count, 2);
-        CHECK(q.t0 == q.t1, "a double root is two equal ones");
+        const double a = m * m, b = -2 * m * n, c = n * n;
+        check_stable(a, b, c);
+        given("a = %.17g, b = %.17g, c = %.17g: a double root is two equal ones", a, b, c);
+        CHECK_REAL(stable_quadratic(a, b, c).t1, stable_quadratic(a, b, c).t0, exactly());
     }
 }
 
@@ -260,40 +327,35 @@ static void quadratic_sizes(void) {
         const double ka = 294 * rng_double(&g) - 145, kb = 294 * rng_double(&g) - 145;
         const double kc = 294 * rng_double(&g) - 145; // at most 2e149
         const double a = of_size(&g, ka), b = of_size(&g, kb), c = of_size(&g, kc);
-        check_quadratic(stable_quadratic, a, b, c, double_roundings(worst_of_quadratic));
+        check_stable(a, b, c);
     }
     for (int k = -145; k <= 149; k += 7)
         for (int i = 0; i < 100; i++) { // all of one size: neither term can be neglected
             const double a = of_size(&g, k), b = of_size(&g, k), c = of_size(&g, k);
-            check_quadratic(stable_quadratic, a, b, c, double_roundings(worst_of_quadratic));
+            check_stable(a, b, c);
         }
 }
 
-static void check_two_roots(double a, double b, double c, double t0, double t1) {
-    given_quadratic(a, b, c);
-    CHECK_INT(stable_quadratic(a, b, c).count, 2);
-    CHECK_REAL(stable_quadratic(a, b, c).t0, t0, double_roundings(worst_of_quadratic));
-    CHECK_REAL(stable_quadratic(a, b, c).t1, t1, double_roundings(worst_of_quadratic));
-}
-
 static void quadratic_zeros(void) {
-    given("0 t² + 4 t - 6 = 0: a line, with one root");
+    given("a = 0, b = 4, c = -6: a line, with one root");
     CHECK_INT(stable_quadratic(0, 4, -6).count, 1);
     CHECK_REAL(stable_quadratic(0, 4, -6).t0, 1.5, exactly());
     CHECK_REAL(stable_quadratic(0, 4, -6).t1, 1.5, exactly());
-    given("0 t² + 0 t + c = 0: no root, or every t");
+    given("a = 0, b = 0: no root, or every t");
     CHECK_INT(stable_quadratic(0, 0, -6).count, 0);
     CHECK_INT(stable_quadratic(0, 0, 0).count, 0);
-    check_two_roots(2, -3, 0, 0, 1.5);
-    check_two_roots(2, 3, 0, -1.5, 0);
-    check_two_roots(-2, 3, 0, 0, 1.5);
-    check_two_roots(2, 0, -18, -3, 3);
-    check_two_roots(-2, 0, 18, -3, 3);
-    check_two_roots(7, 0, 0, 0, 0);
-    given("2 t² + 0 t + 18 = 0");
-    CHECK_INT(stable_quadratic(2, 0, 18).count, 0);
-    given("coefficients that are not numbers");
-    CHECK_INT(stable_quadratic(1, (double)NAN, 1).count, 0);
+    check_stable(2, -3, 0);
+    check_stable(2, 3, 0);
+    check_stable(-2, 3, 0);
+    check_stable(2, 0, -18);
+    check_stable(-2, 0, 18);
+    check_stable(7, 0, 0);
+    check_stable(2, 0, 18); // no root
+    const double nan = (double)NAN;
+    given("a discriminant that is NaN");
+    CHECK_INT(stable_quadratic(1, nan, 1).count, 0);
+    CHECK_INT(stable_quadratic(nan, 3, 1).count, 0);
+    CHECK_INT(stable_quadratic(1, 3, nan).count, 0);
 }
 
 // ---- spheres: the reference ----------------------------------------------------------
@@ -898,11 +960,12 @@ int main(void) {
     static const char *const which = "From outside, from inside, from behind: which root does "
                                      "the eye see? t_min and t_max say which ones count.";
     static const char *const cancels =
-        "-b and the root of almost the same size cancel: only one sign is safe. The other root "
-        "follows from t0 t1 = c/a.";
+        "Digits are lost in two subtractions. -b and the root of almost the same size cancel: "
+        "only one sign is safe, and the other root follows from t0 t1 = c/a. b² and 4ac cancel "
+        "too: see fma. Smaller root first.";
     static const char *const digits =
-        "Both products are rounded before they are subtracted. fma(x, y, z) rounds only once: "
-        "what does fma(-a, c, a c) tell?";
+        "Both products are rounded before they are subtracted, and near a double root only the "
+        "rounding is left. fma(x, y, z) rounds only once: what does fma(-a, c, a c) tell?";
     static const char *const remainder =
         "Do not subtract large numbers: how long is the part of v that is perpendicular to d? "
         "d need not have unit length.";
@@ -915,9 +978,11 @@ int main(void) {
         "sphere_hit only uses nearest_root: test that first (T=nearest_root).";
     static const test tests[] = {
         {"nearest_root: which of the two", which_root, which},
-        {"nearest_root: t_min < t < t_max", root_interval, "Both ends are excluded."},
+        {"nearest_root: t_min < t < t_max", root_interval,
+         "Only roots between t_min and t_max count. Both ends are excluded."},
         {"nearest_root: no root, one, not a number", fewer_roots,
-         "count says how many there are; t0 and t1 mean nothing for 0."},
+         "count says how many there are; t0 and t1 mean nothing for 0. NaN lies in no "
+         "interval: NaN > t_min is false."},
         {"nearest_root: 5000 cases, by search", root_by_search, which},
         {"nearest_root: compared as it is returned", root_rounded,
          "Round the root to real first, then compare: the answer must lie in the interval."},
@@ -928,9 +993,11 @@ int main(void) {
         {"stable_quadratic: b² far above 4ac", quadratic_cancels, cancels},
         {"stable_quadratic: nearly double roots", quadratic_nearly_double, digits},
         {"stable_quadratic: sizes from 1e-145 to 1e150", quadratic_sizes,
-         "Which product of yours overflows, which vanishes? No threshold is needed."},
+         "Smaller root first, whatever the signs. If a root or the count is wrong here only: "
+         "which product of yours overflows, which vanishes? No threshold is needed."},
         {"stable_quadratic: zeros and NaN", quadratic_zeros,
-         "a = 0 is a line; q = 0 divides 0 by 0; NaN has no roots."},
+         "a = 0 is a line; sign(0) is 1; NaN has no roots, and is not >= 0. When q = 0, c / q "
+         "is NaN."},
         {"far_discriminant: worked out by hand", far_by_hand, remainder},
         {"far_discriminant: 12000 generic spheres", far_generic, remainder},
         {"far_discriminant: wrong decisions far away", far_decisions, remainder},
@@ -939,9 +1006,11 @@ int main(void) {
         {"cylinder_hit: 40000 generic tubes", tube_generic, tube},
         {"cylinder_hit: through the open end, and from inside", tube_from_its_end,
          "When the first point lies beyond the end, the second may still lie on the tube."},
-        {"cylinder_hit: rims and tangents", tube_rims, "The rims belong to the tube."},
+        {"cylinder_hit: rims and tangents", tube_rims,
+         "The rims belong to the tube, and a tangent is a hit."},
         {"cylinder_hit: parallel, d = 0, r = 0, a = b", tube_nothing,
-         "Which coefficient is 0 then? Test for exactly 0."},
+         "Which coefficient is 0 then, or NaN? Test for exactly 0, so that NaN ends in NO_HIT "
+         "too."},
         {"cylinder_hit: far, grazing, short and long d", tube_extremes, wide},
         {"solve_quadratic: the slide's formula", slide_quadratic, "See sphere.c."},
         {"sphere_hit: worked out by hand", sphere_by_hand, module},

@@ -2,6 +2,9 @@
 // themselves. What a wrong answer looks like stands in check_diagnosis.c.
 #define _POSIX_C_SOURCE 200809L
 
+#include <stdio.h>
+#include <string.h>
+
 #include "tests/check.h"
 #include "tests/check_inside.h"
 
@@ -108,8 +111,12 @@ void check_real(const char *file, int line, const char *call, double got, double
     if (agrees(got, expected, allowance_slack(allowed, expected))) return;
     const char *likely = diagnose_real(got, expected, allowed);
     text t = message_about(call);
-    add_answers(&t, text_number(expected).chars, text_number(got).chars, fabs(got - expected),
-                fabs(expected));
+    short_text want = text_number(expected), have = text_number(got);
+    if (strcmp(want.chars, have.chars) == 0) { // as floats they are: show what differs
+        snprintf(want.chars, sizeof want.chars, "%.17g", expected);
+        snprintf(have.chars, sizeof have.chars, "%.17g", got);
+    }
+    add_answers(&t, want.chars, have.chars, fabs(got - expected), fabs(expected));
     add_allowed(&t, allowed, expected);
     if (likely) text_row(&t, "looks like", "%s", likely);
     test_failed(&t, file, line);

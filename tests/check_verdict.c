@@ -34,6 +34,8 @@ static void explain_signal(text *t, crash c) {
         text_add(t, "crashed: integer division by zero?\n");
     else if (c.signal == SIGABRT)
         text_add(t, "crashed: abort() or assert()\n");
+    else if (c.signal == SIGILL)
+        text_add(t, "crashed: a trap of the compiler: division by zero, or no return?\n");
     else
         text_add(t, "crashed: %s\n", strsignal(c.signal));
 }

@@ -96,7 +96,8 @@ static color with_tubes(const void *unused, ray r, rng *g) {
 
 // ---- where float ends -------------------------------------------------------------------
 
-// About 2000 radii from the spheres, in a direction that is no axis's.
+// About 2000 radii from the spheres, in a direction that is no axis's. They stand side by side
+// at right angles to it: at ±2.7 (1950, 0, -260) / 1967.
 static const vec3 far_eye = {260, 355, 1950};
 
 // With the discriminant of exercise far_discriminant, in real arithmetic.
@@ -112,9 +113,9 @@ static const struct {
     sphere S;
     sphere_function *hits;
 } far_spheres[] = {
-    {{{(real)-2.2, 0, 0}, 1}, sphere_hit_slide},
+    {{{(real)-2.676, 0, (real)0.357}, 1}, sphere_hit_slide},
     {{{0, 0, 0}, 1}, far_sphere_hit},
-    {{{(real)2.2, 0, 0}, 1}, sphere_hit},
+    {{{(real)2.676, 0, (real)-0.357}, 1}, sphere_hit},
 };
 
 // Shaded as most programs do it, from the rounded point: n = (O + t d - c) / r.
@@ -155,7 +156,7 @@ static camera camera_for(const options *opt) {
     const vec3 above_ground = {(real)0.3, 1, (real)0.2};
     const vec3 ahead = {(real)0.3, (real)0.75, (real)-0.8};
     const int w = opt->width, h = opt->height;
-    if (shows(opt, "far")) return camera_look_at(far_eye, origin, up, (real)0.12, w, h);
+    if (shows(opt, "far")) return camera_look_at(far_eye, origin, up, (real)0.145, w, h);
     if (shows(opt, "ground")) return camera_look_at(above_ground, ahead, up, 50, w, h);
     return camera_look_at(eye, target, up, 40, w, h);
 }

@@ -11,7 +11,7 @@ typedef struct {
 
 typedef struct {
     int count;     // 0, 1 or 2 real roots
-    double t0, t1; // t0 <= t1; a double root counts as two equal ones
+    double t0, t1; // t0 <= t1; equal for one root, and for a double root (count 2)
 } roots;
 
 // The roots of a t² + b t + c = 0 as on the slide: (-b ± sqrt(b² - 4ac)) / 2a.
@@ -40,12 +40,12 @@ typedef struct {
 // Exercises: exercises/04-sphere/ ------------------------------------------
 
 // Which root? The smallest with t_min < t < t_max, or NO_HIT. A root is rounded to
-// real before it is compared: what comes back lies in the interval.
+// real before it is compared: what comes back lies in the interval. NaN lies in none.
 real nearest_root(roots q, real t_min, real t_max);
 
 // As solve_quadratic, without its losses: none in -b ± sqrt
-// (q = -(b + sign(b) sqrt(..)) / 2, roots q/a and c/q), none in b² - 4ac
-// (Kahan's difference of products). The count is exact and the roots are within
+// (q = -(b + sign(b) sqrt(..)) / 2 with sign(0) = +1, roots q/a and c/q), none in
+// b² - 4ac (Kahan's difference of products). A discriminant that is NaN: count 0. The count is exact and the roots are within
 // 4 roundings, for coefficients that are 0 or of a size from 1e-145 to 1e150.
 // Beyond, products of two overflow or lose their last bits.
 roots stable_quadratic(double a, double b, double c);
@@ -58,7 +58,7 @@ real far_discriminant(sphere S, ray r);
 
 // The nearest hit of the open tube, from outside or inside, or NO_HIT. Its rims
 // belong to it, a tangent is a hit; a ray parallel to the axis misses, and so does
-// every ray when r = 0 or a = b. Double inside.
+// every ray when r = 0 or a = b, or with a NaN in it. Double inside.
 real cylinder_hit(cylinder C, ray r, real t_min, real t_max);
 
 #endif

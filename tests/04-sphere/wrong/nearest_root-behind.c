@@ -1,5 +1,5 @@
 // Wrong: the smaller root, also behind the eye.
-// Expect: the smaller root, which is not above t_min
+// Expect: a root that is not above t_min
 #include "chapters/04-sphere/sphere.h"
 
 real nearest_root(roots q, real t_min, real t_max) {

@@ -1,5 +1,6 @@
 // Wrong: the discriminant by two rounded products.
 // Expect: nearly double roots
+// Expect: h² - ac from two rounded products
 // Expect: fma(x, y, z) rounds only once
 #include "chapters/04-sphere/sphere.h"
 

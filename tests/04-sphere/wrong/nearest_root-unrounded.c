@@ -1,0 +1,11 @@
+// Wrong: compares the double and returns it rounded, which may be t_min itself.
+// Expect: compared as it is returned
+// Expect: a root that is not above t_min
+#include "chapters/04-sphere/sphere.h"
+
+real nearest_root(roots q, real t_min, real t_max) {
+    if (q.count == 0) return NO_HIT;
+    if (q.t0 > t_min && q.t0 < t_max) return (real)q.t0;
+    if (q.t1 > t_min && q.t1 < t_max) return (real)q.t1;
+    return NO_HIT;
+}
