@@ -79,9 +79,15 @@ typedef struct {
 // A root that does not count, and why. False for NaN.
 static void suspect_root(double root, real t_min, real t_max) {
     if ((real)root <= t_min)
-        suspect_value("a root that is not above t_min: it does not count", root);
+        suspect_value(root > (double)t_min
+                          ? "a root above t_min, but t_min itself once rounded"
+                          : "a root that is not above t_min: it does not count",
+                      root);
     if ((real)root >= t_max)
-        suspect_value("a root that is not below t_max: it does not count", root);
+        suspect_value(root < (double)t_max
+                          ? "a root below t_max, but t_max itself once rounded"
+                          : "a root that is not below t_max: it does not count",
+                      root);
 }
 
 static void check_choice(const choice_of_root *c) {
@@ -188,6 +194,13 @@ static double end_of(double x, double y, bool larger) {
     return larger ? fmax(x, y) : fmin(x, y);
 }
 
+static void suspect_slide(double a, double b, double c, bool larger) {
+    const roots slide = solve_quadratic(a, b, c);
+    suspect_value("what the slide's formula gives: digits cancelled in -b ± sqrt(..), in "
+                  "b² - 4ac, or in both",
+                  larger ? slide.t1 : slide.t0);
+}
+
 // The classic slips, worked out as they would be in double. got is a, b, c with its mistake.
 static void suspect_q(double a, double b, double c, bool larger) {
     const double h = b / 2, s = sqrt(h * h - a * c), S = sqrt(b * b - a * c);
@@ -195,6 +208,7 @@ static void suspect_q(double a, double b, double c, bool larger) {
     const double cancelled = -h + copysign(s, h);
     suspect_value("h² - ac from two rounded products: the loss is there, not in q",
                   end_of(q / a, c / q, larger));
+    suspect_slide(a, b, c, larger);
     suspect_value("q with the sign that cancels, -h + sign(h) sqrt(..)",
                   end_of(cancelled / a, c / cancelled, larger));
     suspect_value("q with the wrong sign: minus the other root",
@@ -202,13 +216,6 @@ static void suspect_q(double a, double b, double c, bool larger) {
     suspect_value("h = b: it is half of b", end_of(Q / a, c / Q, larger));
     suspect_value("twice q: q = -(b + sign(b) sqrt(b² - 4ac)) / 2",
                   end_of(2 * q / a, c / (2 * q), larger));
-}
-
-static void suspect_slide(double a, double b, double c, bool larger) {
-    const roots slide = solve_quadratic(a, b, c);
-    suspect_value("what the slide's formula gives: digits cancelled in -b ± sqrt(..), in "
-                  "b² - 4ac, or in both",
-                  larger ? slide.t1 : slide.t0);
 }
 
 static void given_root(double a, double b, double c, pair want, bool larger) {
@@ -220,7 +227,6 @@ static void given_root(double a, double b, double c, pair want, bool larger) {
     }
     suspect_value("the two roots in the wrong order", (double)(larger ? want.t0 : want.t1));
     suspect_q(a, b, c, larger);
-    suspect_slide(a, b, c, larger);
 }
 
 // The count that rounded products lead to, and the one with h = b, where they are wrong.

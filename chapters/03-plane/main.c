@@ -32,8 +32,8 @@ static color also_behind(const void *unused, ray r, rng *g) {
     return look(r, plane_hit(floor_plane, r, -NO_HIT, NO_HIT));
 }
 
-// The checks averaged over a square as large as the pixel's image on the floor,
-// which is distance / focal wide and longer, away from the eye, by 1 / slope.
+// The checks averaged over a square as long as the pixel's image on the floor, which
+// is distance / focal wide and, away from the eye, longer by 1 / slope.
 static color filtered(const void *scene, ray r, rng *g) {
     (void)g;
     const camera *cam = scene;
@@ -42,7 +42,7 @@ static color filtered(const void *scene, ray r, rng *g) {
     const vec3 p = ray_at(r, t);
     const real distance = t * length(r.d);
     const real width = distance / cam->focal, slope = -r.d.y / length(r.d);
-    return board(checks_average(p.x, p.z, width / sqrt(slope)));
+    return board(checks_average(p.x, p.z, width / slope));
 }
 
 static radiance chosen(const options *opt) {

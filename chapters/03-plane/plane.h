@@ -41,7 +41,7 @@ int checks(real x, real z);
 
 // Exercises: exercises/03-plane/ -------------------------------------------
 
-// t = (x - O)·n / d·n, when t_min < t < t_max; else NO_HIT. A ray parallel to
+// t = (x - O)·n / d·n, when that, rounded to real, has t_min < t < t_max; else NO_HIT. A ray parallel to
 // the plane (d·n exactly 0) misses, also inside it. Double inside: the
 // difference x - O and both dot products.
 real plane_hit(plane P, ray r, real t_min, real t_max);
@@ -51,7 +51,7 @@ real plane_hit(plane P, ray r, real t_min, real t_max);
 real disc_hit(disc D, ray r, real t_min, real t_max);
 
 // The mean of checks() over the box [x - w/2, x + w/2] x [z - w/2, z + w/2],
-// w > 0: exact, by integrals, not by sampling. Between 0 and 1.
+// w > 0: exact but for rounding in double, by integrals, not by sampling.
 real checks_average(real x, real z, real w);
 
 #endif

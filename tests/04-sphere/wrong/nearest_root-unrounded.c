@@ -1,6 +1,6 @@
 // Wrong: compares the double and returns it rounded, which may be t_min itself.
 // Expect: compared as it is returned
-// Expect: a root that is not above t_min
+// Expect: a root above t_min, but t_min itself once rounded
 #include "chapters/04-sphere/sphere.h"
 
 real nearest_root(roots q, real t_min, real t_max) {
