@@ -168,7 +168,10 @@ $B/check-fixtures: $B/obj/tests/check-fixtures.o $(CHECK) $(COMMON)
 $B/test/check: $B/obj/tests/check-self.o $(CHECK) $(COMMON)
 	$(LINK)
 
-test: $B/check-fixtures $B/test/check $(CHAPTERS:%=$B/test/%)
+$B/test/common: $B/obj/tests/common.o $(CHECK) $(COMMON)
+	$(LINK)
+
+test: $B/check-fixtures $B/test/check $B/test/common $(CHAPTERS:%=$B/test/%)
 	@FIXTURES=$B/check-fixtures sh tests/tools/run.sh $(filter $B/test/%,$^)
 
 # An answer that does not compile must not hide the others: -k, and the report tells.

@@ -1,5 +1,6 @@
 // Tests of 01-rasterize: edge_function, owns_edge, depth_at, and what the module
 // makes of them: projection, coverage, the z-buffer, the scene.
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #ifdef _OPENMP
@@ -13,7 +14,7 @@
 
 enum { W = 48, H = 32 }; // the screen of most tests
 
-#define POINT "(%.9g, %.9g)"
+#define POINT "(%.17g, %.17g)" // enough to work out the expected value by hand
 #define AT(p) (p).x, (p).y
 
 static double uniform(rng *g, double low, double high) {
@@ -31,11 +32,18 @@ static exact exact_edge(raster_point a, raster_point b, double x, double y) {
 
 // ---- edge_function -------------------------------------------------------------------
 
-// The textbook's a x b with y up, or taken on the other side.
+// The textbook's a x b with y up, a corner mistaken, another product.
 static void suspect_edge(raster_point a, raster_point b, double x, double y) {
     const double dx = b.x - a.x, dy = b.y - a.y;
-    suspect_value("positive on the right: y points down on the screen",
-                  dx * (y - a.y) - dy * (x - a.x));
+    const double mirrored = dx * (y - a.y) - dy * (x - a.x);
+    if (mirrored > 0)
+        suspect_value("positive on the right: y points down on the screen (or fabs: is it "
+                      "never negative?)",
+                      mirrored);
+    else
+        suspect_value("positive on the right: y points down on the screen", mirrored);
+    suspect_value("b in place of a in the way along x", dy * (x - b.x) - dx * (y - a.y));
+    suspect_value("b in place of a in the way along y", dy * (x - a.x) - dx * (y - b.y));
     suspect_value("a dot product: it is zero straight across the edge",
                   dx * (x - a.x) + dy * (y - a.y));
     suspect_value("the area, not twice the area", (double)exact_edge(a, b, x, y) / 2);
@@ -49,6 +57,7 @@ static void edge_by_hand(void) {
     suspect_edge(a, b, 3, 1);
     CHECK_REAL(edge_function(a, b, 3, 1), 33, exactly());
     given("a = (2, 7), b = (8, 4), the point (9, 9): right of the way from a to b");
+    suspect_value("never negative: fabs?", 33); // the sign on the left was right
     suspect_edge(a, b, 9, 9);
     CHECK_REAL(edge_function(a, b, 9, 9), -33, exactly());
     given("a = (2, 7), b = (8, 4), the point (12, 2), on the line through both");
@@ -85,36 +94,47 @@ static void edge_scales(void) {
     }
 }
 
+// A multiple of 1/128 below 1e10 has at most 17 digits: given() prints it exactly.
+static raster_point far_point(rng *g, double x, double y) {
+    const raster_point p = on_screen(g, 10);
+    return (raster_point){floor((p.x + x) * 128) / 128, floor((p.y + y) * 128) / 128, p.depth};
+}
+
 // Far away, and near each other: the coordinates must be subtracted first.
 static void edge_far_away(void) {
     rng g = rng_seed(1, 3);
     for (int i = 0; i < 1000; i++) {
         const double x = uniform(&g, -1e9, 1e9), y = uniform(&g, -1e9, 1e9);
-        raster_point a = on_screen(&g, 10), b = on_screen(&g, 10), p = on_screen(&g, 10);
-        a.x += x, b.x += x, p.x += x;
-        a.y += y, b.y += y, p.y += y;
+        const raster_point a = far_point(&g, x, y), b = far_point(&g, x, y);
+        const raster_point p = far_point(&g, x, y);
         check_edge(a, b, p.x, p.y);
     }
+}
+
+static void check_exactly(const char *what, raster_point a, raster_point b, double x,
+                          double y) {
+    given("%s: a = " POINT ", b = " POINT ", the point " POINT, what, AT(a), AT(b), x, y);
+    suspect_edge(a, b, x, y);
+    CHECK_REAL(edge_function(a, b, x, y), exact_edge(a, b, x, y), exactly());
+}
+
+// Multiples of 1/16 pixel: any correct formula is exact.
+static raster_point on_sixteenths(rng *g) {
+    const double x = floor(uniform(g, 0, 8000)) / 16, y = floor(uniform(g, 0, 8000)) / 16;
+    return (raster_point){x, y, 1};
 }
 
 static void edge_properties(void) {
     rng g = rng_seed(1, 4);
     for (int i = 0; i < 1000; i++) {
-        // Multiples of 1/16 pixel: all of this is exact.
-        const raster_point a = {floor(uniform(&g, 0, 8000)) / 16,
-                                floor(uniform(&g, 0, 8000)) / 16, 1};
-        const raster_point b = {floor(uniform(&g, 0, 8000)) / 16,
-                                floor(uniform(&g, 0, 8000)) / 16, 1};
-        const raster_point c = {floor(uniform(&g, 0, 8000)) / 16,
-                                floor(uniform(&g, 0, 8000)) / 16, 1};
-        const double area = edge_function(a, b, c.x, c.y);
-        given("a = " POINT ", b = " POINT ", c = " POINT, AT(a), AT(b), AT(c));
-        CHECK_REAL(edge_function(b, a, c.x, c.y), -area, exactly());
-        CHECK_REAL(edge_function(b, c, a.x, a.y), area, exactly());
-        CHECK_REAL(edge_function(a, b, a.x, a.y), 0, exactly());
-        CHECK_REAL(edge_function(a, b, b.x, b.y), 0, exactly());
+        const raster_point a = on_sixteenths(&g), b = on_sixteenths(&g), c = on_sixteenths(&g);
         const raster_point a1 = {a.x + 100, a.y - 77, 1}, b1 = {b.x + 100, b.y - 77, 1};
-        CHECK_REAL(edge_function(a1, b1, c.x + 100, c.y - 77), area, exactly());
+        check_exactly("a triangle", a, b, c.x, c.y);
+        check_exactly("the same triangle, a and b exchanged", b, a, c.x, c.y);
+        check_exactly("the same triangle, seen from its next corner", b, c, a.x, a.y);
+        check_exactly("the same triangle, moved", a1, b1, c.x + 100, c.y - 77);
+        check_exactly("the point is a", a, b, a.x, a.y);
+        check_exactly("the point is b", a, b, b.x, b.y);
     }
 }
 
@@ -159,37 +179,60 @@ static void owns_one_of_two(void) {
 
 // ---- depth_at -------------------------------------------------------------------------
 
+// 1/depth is linear on the screen.
+static exact exact_depth(const raster_point p[3], double x, double y) {
+    const exact w0 = exact_edge(p[1], p[2], x, y), w1 = exact_edge(p[2], p[0], x, y);
+    const exact w2 = exact_edge(p[0], p[1], x, y);
+    return (w0 + w1 + w2) / (w0 / p[0].depth + w1 / p[1].depth + w2 / p[2].depth);
+}
+
+// One weight with the wrong sign, and the sum of the three or the triangle's area
+// beneath.
+static void suspect_turned(double w0, double d0, double w1, double d1, double w2, double d2) {
+    const double guesses[] = {(-w0 + w1 + w2) / (-w0 / d0 + w1 / d1 + w2 / d2),
+                              (w0 + w1 + w2) / (-w0 / d0 + w1 / d1 + w2 / d2)};
+    for (int i = 0; i < COUNT(guesses); i++)
+        if (isfinite(guesses[i]) && guesses[i] != 0)
+            suspect_value("one edge is turned: walk round the triangle one way, p[1] to p[2], "
+                          "p[2] to p[0], p[0] to p[1]",
+                          guesses[i]);
+}
+
 static void suspect_depth(const raster_point p[3], double x, double y) {
     const double w0 = edge_function(p[1], p[2], x, y), w1 = edge_function(p[2], p[0], x, y);
     const double w2 = edge_function(p[0], p[1], x, y), area = w0 + w1 + w2;
     const double linear = (w0 * p[0].depth + w1 * p[1].depth + w2 * p[2].depth) / area;
     const double inverse = (w0 / p[0].depth + w1 / p[1].depth + w2 / p[2].depth) / area;
     suspect_value("depth taken as linear on the screen: 1/depth is", linear);
-    suspect_value("1/depth, not depth", inverse);
+    suspect_value("1/depth, not depth: the sum was not inverted", inverse);
+    suspect_value("the sum was neither divided by the whole area nor inverted", inverse * area);
     suspect_value("the weights do not add up to 1: divide by the whole area",
                   1 / (inverse * area));
     suspect_value("the weights belong to other corners: each to the one opposite its edge",
                   area / (w0 / p[2].depth + w1 / p[0].depth + w2 / p[1].depth));
     suspect_value("the weights belong to other corners: each to the one opposite its edge",
                   area / (w0 / p[1].depth + w1 / p[2].depth + w2 / p[0].depth));
+    suspect_turned(w0, p[0].depth, w1, p[1].depth, w2, p[2].depth);
+    suspect_turned(w1, p[1].depth, w2, p[2].depth, w0, p[0].depth);
+    suspect_turned(w2, p[2].depth, w0, p[0].depth, w1, p[1].depth);
 }
 
 static void given_corners(const raster_point p[3], double x, double y) {
-    given("corners " POINT " depth %.9g, " POINT " depth %.9g, " POINT
-          " depth %.9g; the point " POINT,
+    given("corners " POINT " depth %.17g, " POINT " depth %.17g, " POINT
+          " depth %.17g; the point " POINT,
           AT(p[0]), p[0].depth, AT(p[1]), p[1].depth, AT(p[2]), p[2].depth, x, y);
     suspect_depth(p, x, y);
 }
 
 static void depth_by_hand(void) {
-    // A floor one unit below the eye, focal length 10: a point X to the side at
-    // depth D stands at (10 X/D, 10/D). Halfway from depth 1 to depth 3 on the
-    // screen the depth is 3/2: 1/depth = (1 + 1/3)/2.
-    const raster_point p[] = {{0, 10, 1}, {12, 10.0 / 3, 3}, {-20, 10.0 / 3, 3}};
-    given_corners(p, 6, 20.0 / 3);
-    CHECK_REAL(depth_at(p, 6, 20.0 / 3), 1.5, absolute_of(1e-14, "a few roundings in double"));
-    given_corners(p, 1, 5);
-    CHECK_REAL(depth_at(p, 1, 5), 2, absolute_of(1e-14, "a few roundings in double"));
+    // A floor one unit below the eye, focal length 12: a point X to the side at
+    // depth D stands at (12 X/D, 12/D). So y = 7.5 is at depth 12/7.5, and halfway
+    // from depth 1 to depth 3 on the screen 1/depth = (1 + 1/3)/2.
+    const raster_point p[] = {{0, 12, 1}, {12, 4, 3}, {-20, 4, 3}};
+    given_corners(p, -1.25, 7.5);
+    CHECK_REAL(depth_at(p, -1.25, 7.5), 1.6, absolute_of(1e-14, "a few roundings in double"));
+    given_corners(p, 6, 8);
+    CHECK_REAL(depth_at(p, 6, 8), 1.5, absolute_of(1e-14, "a few roundings in double"));
 }
 
 static void depth_of_corners(void) {
@@ -197,8 +240,9 @@ static void depth_of_corners(void) {
     for (int i = 0; i < 500; i++) {
         const raster_point p[] = {on_screen(&g, 600), on_screen(&g, 600), on_screen(&g, 600)};
         for (int k = 0; k < 3; k++) {
-            given_corners(p, p[k].x, p[k].y);
-            CHECK_REAL(depth_at(p, p[k].x, p[k].y), p[k].depth,
+            const double x = p[k].x, y = p[k].y;
+            given_corners(p, x, y);
+            CHECK_REAL(depth_at(p, x, y), p[k].depth,
                        relative_to(1e-11, "roundings in double; some triangles are thin"));
         }
     }
@@ -225,7 +269,7 @@ static void depth_of_planes(void) {
         for (int k = 0; k < 3; k++)
             p[k] = plane_corner(P, n, D, uniform(&g, 200, 440), uniform(&g, 100, 380));
         const double x = uniform(&g, 200, 440), y = uniform(&g, 100, 380);
-        const double area = edge_function(p[0], p[1], p[2].x, p[2].y);
+        const double area = (double)exact_edge(p[0], p[1], p[2].x, p[2].y);
         if (fabs(area) < 2000) continue; // thin: the corners say little about the plane
         given_corners(p, x, y);
         CHECK_REAL(depth_at(p, x, y), plane_depth(P, n, D, x, y),
@@ -238,13 +282,15 @@ static void depth_order(void) {
     for (int i = 0; i < 1000; i++) {
         const raster_point a = on_screen(&g, 600), b = on_screen(&g, 600),
                            c = on_screen(&g, 600);
-        const raster_point p[] = {a, b, c}, turned[] = {b, c, a}, mirrored[] = {a, c, b};
-        if (fabs(edge_function(a, b, c.x, c.y)) < 100) continue;
+        const raster_point orders[][3] = {{a, b, c}, {b, c, a}, {a, c, b}};
+        if (fabs((double)exact_edge(a, b, c.x, c.y)) < 100) continue;
         const double x = (a.x + b.x + 2 * c.x) / 4, y = (a.y + b.y + 2 * c.y) / 4;
-        given_corners(p, x, y);
-        const allowance rounding = relative_to(1e-10, "roundings in double; thin triangles");
-        CHECK_REAL(depth_at(turned, x, y), depth_at(p, x, y), rounding);
-        CHECK_REAL(depth_at(mirrored, x, y), depth_at(p, x, y), rounding);
+        for (int k = 0; k < COUNT(orders); k++) {
+            const raster_point *p = orders[k];
+            given_corners(p, x, y);
+            CHECK_REAL(depth_at(p, x, y), exact_depth(p, x, y),
+                       relative_to(1e-10, "roundings in double; thin triangles"));
+        }
     }
 }
 
@@ -252,11 +298,7 @@ static void depth_order(void) {
 static void depth_extremes(void) {
     const raster_point far[] = {{10, 90, 1}, {200, 20, 1e9}, {-180, 30, 1e6}};
     given_corners(far, 20, 40);
-    const exact w0 = exact_edge(far[1], far[2], 20, 40),
-                w1 = exact_edge(far[2], far[0], 20, 40);
-    const exact w2 = exact_edge(far[0], far[1], 20, 40);
-    CHECK_REAL(depth_at(far, 20, 40),
-               (w0 + w1 + w2) / (w0 / far[0].depth + w1 / far[1].depth + w2 / far[2].depth),
+    CHECK_REAL(depth_at(far, 20, 40), exact_depth(far, 20, 40),
                relative_to(1e-13, "roundings in double"));
     const double s = 1.0 / (1 << 20);
     const raster_point tiny[] = {
@@ -300,18 +342,31 @@ static int pixels_drawn(projection P, triangle t) {
     return sum;
 }
 
-static void given_triangle(triangle t) {
-    given("triangle " VEC ", " VEC ", " VEC, ARG(t.p1), ARG(t.p2), ARG(t.p3));
-}
-
-static void check_same(const counts *got, const counts *want) {
+// `what`: what was drawn, and where `want` comes from.
+static void check_same(const char *what, const counts *got, const counts *want) {
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++)
             if (got->times[y][x] != want->times[y][x]) {
-                const int drawn = got->times[y][x]; // a name that reads well in the message
-                given("pixel (%d, %d), centre (%.1f, %.1f)", x, y, x + 0.5, y + 0.5);
-                CHECK_INT(drawn, want->times[y][x]);
+                const int times_drawn = got->times[y][x]; // the message shows this name
+                given("%s; the pixel (%d, %d), centre (%.1f, %.1f)", what, x, y, x + 0.5,
+                      y + 0.5);
+                CHECK_INT(times_drawn, want->times[y][x]);
             }
+}
+
+typedef struct {
+    char chars[512];
+} words;
+
+static words triangle_words(triangle t, const char *more) {
+    words w;
+    snprintf(w.chars, sizeof w.chars, "triangle " VEC ", " VEC ", " VEC "%s", ARG(t.p1),
+             ARG(t.p2), ARG(t.p3), more);
+    return w;
+}
+
+static void given_triangle(triangle t) {
+    given("%s", triangle_words(t, "").chars);
 }
 
 typedef struct {
@@ -353,7 +408,7 @@ static void check_coverage(projection P, triangle t) {
     count_drawn(&got, P, t);
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++) want.times[y][x] = exact_covers(P, t, x + 0.5, y + 0.5);
-    check_same(&got, &want);
+    check_same(triangle_words(t, "").chars, &got, &want);
 }
 
 // Some of them reach far outside the screen.
@@ -384,7 +439,9 @@ static void either_orientation(void) {
         counts one = {0}, other = {0};
         count_drawn(&one, P, t);
         count_drawn(&other, P, turned);
-        check_same(&other, &one);
+        check_same(
+            triangle_words(turned, " (expected: as often as with two corners exchanged)").chars,
+            &other, &one);
     }
 }
 
@@ -400,10 +457,12 @@ static void translated(void) {
         }
         counts here = {0}, there = {0}, moved = {0};
         count_drawn(&here, flat_screen, flat_triangle(p[0], p[1], p[2]));
-        count_drawn(&there, flat_screen, flat_triangle(q[0], q[1], q[2]));
+        const triangle t = flat_triangle(q[0], q[1], q[2]);
+        count_drawn(&there, flat_screen, t);
         for (int y = 7; y < H; y++)
             for (int x = 11; x < W; x++) moved.times[y][x] = here.times[y - 7][x - 11];
-        check_same(&there, &moved);
+        check_same(triangle_words(t, " (expected: as before it was moved)").chars, &there,
+                   &moved);
     }
 }
 
@@ -418,10 +477,12 @@ static void scaled_world(void) {
     for (int k = -30; k <= 30; k += 6) {
         for (int i = 0; i < 20; i++) {
             const triangle t = random_triangle(&g, 0.7);
+            const triangle other = scaled(t, ldexp(1.0, k)); // a power of two does not round
             counts here = {0}, there = {0};
             count_drawn(&here, P, t);
-            count_drawn(&there, P, scaled(t, ldexp(1.0, k))); // a power of two does not round
-            check_same(&there, &here);
+            count_drawn(&there, P, other);
+            check_same(triangle_words(other, " (expected: as before it was scaled)").chars,
+                       &there, &here);
             check_coverage(P, scaled(t, pow(10, k / 3.0)));
         }
     }
@@ -455,8 +516,8 @@ static void not_numbers(void) {
         if (i / 3 % 3 == 1) corner->y = value;
         if (i / 3 % 3 == 2) corner->z = value;
         given_triangle(t);
-        const int drawn = pixels_drawn(P, t); // an infinite corner must only not crash
-        if (isnan(value)) CHECK_INT(drawn, 0);
+        const int pixels_covered = pixels_drawn(P, t); // infinite: must only not crash
+        if (isnan(value)) CHECK_INT(pixels_covered, 0);
     }
 }
 
@@ -474,8 +535,11 @@ static void behind_the_eye(void) {
         CHECK_BOOL(rasterize(&fb, P, four[i]), false);
     }
     CHECK_INT(rasterize_all(&fb, P, four, COUNT(four)), COUNT(rows));
+    bool picture_is_empty = true;
     for (int i = 0; i < W * H; i++)
-        CHECK(fb.depth[i] == (double)INFINITY, "a triangle that is refused draws nothing");
+        picture_is_empty = picture_is_empty && fb.depth[i] == (double)INFINITY;
+    given("the same four triangles");
+    CHECK(picture_is_empty, "a triangle that is refused draws nothing");
     const triangle ahead = {{-1, -1, -2}, {2, -1, -3}, {0, 2, -2}};
     given_triangle(ahead);
     CHECK_BOOL(rasterize(&fb, P, (painted){ahead, {1, 1, 1}}), true);
@@ -493,7 +557,7 @@ static void rectangle(void) {
     count_drawn(&got, flat_screen, flat_triangle(c, d, a));
     for (int y = 3; y < 11; y++)
         for (int x = 4; x < 20; x++) want.times[y][x] = 1;
-    check_same(&got, &want);
+    check_same("a rectangle of two triangles, corners in pixel centres", &got, &want);
 }
 
 // Around one pixel's centre, in steps that hit many centres; a corner of all.
@@ -512,7 +576,8 @@ static void fan(void) {
     }
     for (int y = 3; y < 27; y++)
         for (int x = 8; x < 32; x++) want.times[y][x] = 1;
-    check_same(&got, &want);
+    check_same("a fan of triangles around the pixel (20, 15), corners in pixel centres", &got,
+               &want);
 }
 
 enum { COLUMNS = 7, ROWS = 4, CELL = 6 };
@@ -545,7 +610,7 @@ static void random_meshes(void) {
                 count_drawn(&got, flat_screen, flat_triangle(a, b, other ? d : c));
                 count_drawn(&got, flat_screen, flat_triangle(c, other ? b : a, d));
             }
-        check_same(&got, &want);
+        check_same("a mesh of triangles, corners on half pixels", &got, &want);
     }
 }
 
@@ -560,11 +625,14 @@ static void endless_edges(void) {
         const vec3 a = {(real)(1e15 * cos(angle)), (real)(1e15 * sin(angle)), -1};
         const vec3 b = {-a.x / 8, -a.y / 8, -1}; // exact: on the line through a and the middle
         const vec3 left = {-a.y, a.x, -1}, right = {a.y, -a.x, -1};
-        given("two triangles on either side of the edge from " VEC " to " VEC, ARG(a), ARG(b));
+        words about;
+        snprintf(about.chars, sizeof about.chars,
+                 "two triangles on either side of the edge from " VEC " to " VEC, ARG(a),
+                 ARG(b));
         counts got = {0};
         count_drawn(&got, flat_screen, (triangle){a, b, left});
         count_drawn(&got, flat_screen, (triangle){a, b, right});
-        check_same(&got, &want);
+        check_same(about.chars, &got, &want);
     }
 }
 
@@ -581,16 +649,18 @@ static void depth_in_buffer(void) {
     const painted tri = {{p[0], p[1], p[2]}, {1, 1, 1}};
     framebuffer fb = framebuffer_new(W, H, (color){0, 0, 0});
     rasterize(&fb, P, tri);
-    int drawn = 0;
+    int pixels_covered = 0;
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++) {
-            if (fb.depth[y * W + x] == (double)INFINITY) continue;
-            drawn++;
-            given("the plane X·n = 3, n = " VEC ", at the pixel (%d, %d)", ARG(n), x, y);
-            CHECK_REAL(fb.depth[y * W + x], plane_depth(P, n, D, x + 0.5, y + 0.5),
+            const double depth_in_z_buffer = fb.depth[y * W + x];
+            if (depth_in_z_buffer == (double)INFINITY) continue;
+            pixels_covered++;
+            given("a triangle in the plane X·n = 3, n = " VEC ", at the pixel (%d, %d)", ARG(n),
+                  x, y);
+            CHECK_REAL(depth_in_z_buffer, plane_depth(P, n, D, x + 0.5, y + 0.5),
                        relative_to(1e-13, "roundings in double"));
         }
-    CHECK(drawn > 300, "the test itself: enough pixels are covered");
+    CHECK(pixels_covered > 300, "the test itself: enough pixels are covered");
     framebuffer_free(&fb);
 }
 
@@ -623,10 +693,11 @@ static void nearest_wins(void) {
                 const exact depth = triangle_depth(P, tris[i].t, x, y);
                 if (depth < least) nearest = i + 1, least = depth;
             }
-            const int drawn = (int)image_at(&fb.img, k % W, k / W)->x;
-            given("%d triangles that pierce each other, the pixel (%d, %d); 0: none", SOME,
-                  k % W, k / W);
-            CHECK_INT(drawn, nearest);
+            const int triangle_seen = (int)image_at(&fb.img, k % W, k / W)->x;
+            given("triangles 1 to %d that pierce each other: which is seen in the pixel "
+                  "(%d, %d)? 0: none",
+                  SOME, k % W, k / W);
+            CHECK_INT(triangle_seen, nearest);
         }
         framebuffer_free(&fb);
     }
@@ -677,10 +748,10 @@ static void first_stays(void) {
     rasterize(&fb, P, (painted){t, {1, 0, 0}});
     rasterize(&fb, P, (painted){t, {2, 0, 0}});
     rasterize(&fb, P, (painted){turned, {3, 0, 0}});
-    const int drawn = (int)image_at(&fb.img, W / 2, H / 2)->x;
+    const int paint_seen = (int)image_at(&fb.img, W / 2, H / 2)->x;
     given("three triangles in the same place, painted 1, 2, 3 in this order");
     suspect_value("the last one drawn: depth <= nearest in place of <", 3);
-    CHECK_INT(drawn, 1);
+    CHECK_INT(paint_seen, 1);
     framebuffer_free(&fb);
 }
 
@@ -762,25 +833,34 @@ static void scene_light(void) {
 int main(void) {
     static const char *const by_pencil = "Draw the three points with y downwards: is (x, y) on "
                                          "your left on the way from a to b?";
-    static const char *const differences =
-        "Work in double from beginning to end, and subtract corners before you multiply.";
+    static const char *const sign_then_digits =
+        "First the sign: draw the points with y downwards; on the left of the way from a to b "
+        "it is positive. If only digits differ: double from beginning to end, and subtract "
+        "corners before you multiply.";
+    static const char *const covered =
+        "A pixel belongs to the triangle when its centre is left of all three edges. Beside an "
+        "edge the last digits decide: double from beginning to end.";
     static const char *const one_owner =
         "Of the two triangles at an edge exactly one owns it: left edges and top edges.";
     static const char *const reciprocal =
-        "What is linear on the screen, depth or 1/depth? The weights must add up to 1.";
-    static const char *const exact_arithmetic =
-        "A pixel belongs to the triangle when its centre is left of all three edges.";
+        "First the formula: what is linear on the screen, depth or 1/depth? Do the weights add "
+        "up to 1? If only digits differ: double from beginning to end.";
+    static const char *const corner =
+        "At a corner only that corner counts: which edge function is not zero there? If only "
+        "digits differ: double from beginning to end.";
+    static const char *const either_way =
+        "The corners may turn either way round: all three areas then change sign, and so does "
+        "their sum. If only digits differ: double from beginning to end.";
     static const char *const module =
         "This judges rasterize.c, once the three exercises are right.";
     static const test tests[] = {
         {"edge_function: worked out by hand", edge_by_hand, by_pencil},
-        {"edge_function: 3000 generic edges", edge_generic, by_pencil},
-        {"edge_function: from 1e-9 to 1e12 pixels", edge_scales, differences},
-        {"edge_function: 1e9 pixels away", edge_far_away, differences},
-        {"edge_function: turned, rotated, moved", edge_properties, by_pencil},
-        {"edge_function: coverage, against exact arithmetic", coverage_counted,
-         exact_arithmetic},
-        {"edge_function: coverage by huge triangles", coverage_huge, differences},
+        {"edge_function: 3000 generic edges", edge_generic, sign_then_digits},
+        {"edge_function: from 1e-9 to 1e12 pixels", edge_scales, sign_then_digits},
+        {"edge_function: 1e9 pixels away", edge_far_away, sign_then_digits},
+        {"edge_function: turned, rotated, moved", edge_properties, sign_then_digits},
+        {"edge_function: coverage, against exact arithmetic", coverage_counted, covered},
+        {"edge_function: coverage by huge triangles", coverage_huge, covered},
         {"owns_edge: eight directions", owns_directions,
          "Which side of the triangle is the edge? Walk round it counter-clockwise."},
         {"owns_edge: one owner for each edge", owns_one_of_two, one_owner},
@@ -788,10 +868,9 @@ int main(void) {
         {"owns_edge: a fan around a pixel", fan, one_owner},
         {"owns_edge: random meshes, each pixel drawn once", random_meshes, one_owner},
         {"depth_at: worked out by hand", depth_by_hand, reciprocal},
-        {"depth_at: at the corners", depth_of_corners,
-         "At a corner only that corner counts: which edge function is not zero there?"},
+        {"depth_at: at the corners", depth_of_corners, corner},
         {"depth_at: 3000 planes, 1e-6 to 1e9 away", depth_of_planes, reciprocal},
-        {"depth_at: the order of the corners", depth_order, reciprocal},
+        {"depth_at: the order of the corners", depth_order, either_way},
         {"depth_at: to the horizon, and 1e-6 pixels wide", depth_extremes, reciprocal},
         {"depth_at: in the z-buffer", depth_in_buffer, reciprocal},
         {"depth_at: the nearest of 12 triangles", nearest_wins, reciprocal},

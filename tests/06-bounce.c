@@ -59,28 +59,43 @@ static void mirror_by_hand(void) {
     const vec3 d = {3, -1, 2}, n = scale((real)1 / 3, (vec3){1, 2, 2});
     const real k = (real)5 / 9;
     given("d = (3, -1, 2), n = (1, 2, 2)/3, so d·n = 5/3");
-    suspect_vec3("d + 2 (d·n) n: the sign", add(d, scale(2 * k, (vec3){1, 2, 2})));
+    suspect_vec3("d + 2 (d·n) n: the sign, or |d·n| in place of d·n",
+                 add(d, scale(2 * k, (vec3){1, 2, 2})));
     suspect_vec3("d - (d·n) n: it slides along the surface; the 2 is missing",
                  sub(d, scale(k, (vec3){1, 2, 2})));
     suspect_vec3("2 (d·n) n - d: it goes back, since d points towards the surface",
                  sub(scale(2 * k, (vec3){1, 2, 2}), d));
+    suspect_vec3("-d: all of d was turned round, not only its part along n", neg(d));
     CHECK_VEC3(reflect(d, n), ((vec3){(real)17 / 9, (real)-29 / 9, (real)-2 / 9}),
                roundings(8, "two dot products' worth"));
 }
 
+// d less twice its part along n, in higher precision and for n of any length.
+static vec3 mirrored_wide(vec3 d, vec3 n) {
+    const wide3 D = widen(d), N = widen(n);
+    const double k = 2 * wide_dot(D, N) / wide_dot(N, N);
+    return narrow((wide3){D.x - k * N.x, D.y - k * N.y, D.z - k * N.z});
+}
+
+// From in front and from behind by turns.
 static void mirror_generic(void) {
     rng g = rng_seed(6, 1);
     for (int i = 0; i < 2000; i++) {
-        const vec3 n = generic_unit(&g), d = scale((real)pow(10, i % 7 - 3), in_cube(&g));
-        const vec3 r = reflect(d, n);
-        const allowance fair =
-            absolute_of(16 * REAL_EPSILON * wide_length(d),
-                        "n is a unit vector but for 4 roundings, which count 4 times");
-        given("d = " VEC ", n = " VEC, ARG(d), ARG(n));
-        CHECK_REAL(wide_dot(widen(r), widen(n)), -wide_dot(widen(d), widen(n)), fair);
-        CHECK_REAL(wide_length(r), wide_length(d), fair);
-        const double across = wide_dot(wide_cross(widen(r), widen(d)), widen(n));
-        CHECK_REAL(across / wide_length(d), 0, fair); // r, d and n lie in one plane
+        const vec3 n = generic_unit(&g), v = scale((real)pow(10, i % 7 - 3), in_cube(&g));
+        const bool behind = i % 2;
+        const vec3 d = (dot(v, n) > 0) == behind ? v : neg(v);
+        const vec3 along = scale(dot(d, n), n);
+        given("d = " VEC ", n = " VEC ", so d·n = %.6g", ARG(d), ARG(n), (double)dot(d, n));
+        suspect_vec3(behind ? "d + 2 |d·n| n: right only where d·n < 0"
+                            : "d + 2 (d·n) n: the sign",
+                     add(d, scale(2, along)));
+        suspect_vec3("d - (d·n) n: the 2 is missing", sub(d, along));
+        suspect_vec3("2 (d·n) n - d: it goes back", sub(scale(2, along), d));
+        suspect_vec3("-d: all of d was turned round, not only its part along n", neg(d));
+        CHECK_VEC3(reflect(d, n), mirrored_wide(d, n),
+                   absolute_of(16 * REAL_EPSILON * wide_length(d),
+                               "n's length is 1 only within a few roundings, and the formula "
+                               "makes up to four times as much of them"));
     }
 }
 
@@ -92,7 +107,9 @@ static void mirror_sides(void) {
         CHECK_VEC3(reflect(d, neg(n)), reflect(d, n), exactly());
         given("d = " VEC ", n = " VEC ": mirrored twice", ARG(d), ARG(n));
         CHECK_VEC3(reflect(reflect(d, n), n), d,
-                   roundings(64, "n is rounded, and counts 8 times"));
+                   roundings(64,
+                             "n's length is 1 within a few roundings; two mirrors make up to "
+                             "eight times as much of them"));
     }
 }
 
@@ -208,14 +225,64 @@ static void fuzz_mean(void) {
 
 // ---- matte_bounce ----------------------------------------------------------------
 
+static void matte_differs(void) {
+    rng g = rng_seed(6, 28);
+    for (int i = 0; i < 20; i++) {
+        const vec3 n = generic_unit(&g), first = matte_bounce(n, &g);
+        int alike = 0;
+        for (int k = 0; k < 100; k++) {
+            const vec3 v = matte_bounce(n, &g);
+            alike += v.x == first.x && v.y == first.y && v.z == first.z;
+        }
+        given("n = " VEC ": the first draw is " VEC ", and %d of the next 100 are the same",
+              ARG(n), ARG(first), alike);
+        CHECK(alike < 50, "all draws are alike: is g used?");
+    }
+}
+
+typedef struct {
+    int draws, below;
+    vec3 n, v; // the first of those below
+} matte_draws;
+
+// One draw: a unit vector; those that point into the surface are counted.
+static void matte_draw(matte_draws *all, vec3 n, rng *g) {
+    const vec3 v = matte_bounce(n, g);
+    all->draws++;
+    given("n = " VEC ": draw %d is " VEC ", of length %.9g", ARG(n), all->draws, ARG(v),
+          wide_length(v));
+    CHECK(wide_dot(widen(v), widen(v)) >= 0, "not NaN: what is normalize(n + u) when u is -n?");
+    CHECK(fabs(wide_length(v) - 1) < 0.01, "a unit vector: normalize the sum");
+    CHECK_REAL(wide_length(v), 1, roundings(10, "a unit vector"));
+    if (dot(v, n) >= 0) return;
+    if (all->below++ == 0) all->n = n, all->v = v;
+}
+
 static void matte_unit(void) {
     rng g = rng_seed(6, 9);
-    for (int i = 0; i < 300000; i++) {
-        const vec3 n = generic_unit(&g), v = matte_bounce(n, &g);
-        given("n = " VEC ": the bounce is " VEC, ARG(n), ARG(v));
-        CHECK_REAL(wide_length(v), 1, roundings(10, "a unit vector"));
-        CHECK(dot(v, n) >= 0, "the bounce leaves the surface: result·n >= 0");
+    matte_draws all = {0};
+    for (int i = 0; i < 300000; i++) matte_draw(&all, generic_unit(&g), &g);
+    given("%d of %d draws point into the surface; the first: " VEC " for n = " VEC "%s",
+          all.below, all.draws, ARG(all.v), ARG(all.n),
+          all.below > all.draws / 1000 ? "" : ". So few: -n was nearly drawn");
+    CHECK(all.below == 0, "every bounce leaves the surface: result·n >= 0");
+}
+
+// n is what the next unit_vector is the opposite of, but for a little. For those who
+// draw otherwise it is a normal like all others.
+static void matte_opposite(void) {
+    rng g = rng_seed(6, 29);
+    matte_draws all = {0};
+    for (int i = 0; i < 20000; i++) {
+        const vec3 off = scale((real)pow(10, -3 - i % 7), in_cube(&g));
+        rng peek = g;
+        const vec3 u = unit_vector(&peek);
+        matte_draw(&all, normalize(sub(i % 8 ? off : (vec3){0, 0, 0}, u)), &g);
     }
+    given("%d of %d draws point into the surface, where unit_vector(g) gives nearly -n: the "
+          "sum with n is then little but rounding. The first: " VEC " for n = " VEC,
+          all.below, all.draws, ARG(all.v), ARG(all.n));
+    CHECK(all.below == 0, "every bounce leaves the surface: result·n >= 0");
 }
 
 // The last ones defeat a basis that divides by 1 + n.z.
@@ -232,6 +299,7 @@ static void matte_mean(void) {
         for (int k = 0; k < 50000; k++)
             running_add(&cosine, wide_dot(widen(matte_bounce(n, &g)), widen(n)));
         given("n = " VEC ": the mean cosine between n and 50,000 bounces", ARG(n));
+        CHECK(cosine.max > cosine.min, "the draws differ: is g used?");
         suspect_value("uniform over the hemisphere: the cosine is missing", 0.5);
         suspect_value("a density of cos³: n plus a point *in* the ball?", 0.8);
         suspect_value("a density of cos²", 0.75);
@@ -265,12 +333,15 @@ static void matte_cells(void) {
     const long count = 200000;
     for (int i = 0; i < 5; i++) {
         const vec3 n = test_normal(i, &g), across = perpendicular(n);
-        long cells[CELLS] = {0};
+        long cells[CELLS] = {0}, below = 0;
         for (long k = 0; k < count; k++) {
             const vec3 v = matte_bounce(n, &g);
             const double cosine = wide_dot(widen(v), widen(n));
+            below += cosine < -4 * (double)REAL_EPSILON;
             cells[cell_of(v, n, across, cosine * cosine)]++;
         }
+        given("n = " VEC ": 200,000 bounces", ARG(n));
+        CHECK_AT_MOST(below, 0, "none points into the surface (within a few roundings)");
         given("n = " VEC ": 200,000 bounces counted in 8 x 12 cells of cos²θ and of the angle "
               "about n, all equally likely for cos θ / π",
               ARG(n));
@@ -350,11 +421,13 @@ static void furnace(void) {
               : i % 3 == 1 ? "mirror"
                            : "fuzzy",
               ARG(S.c), (double)S.r, ARG(r.O), ARG(r.d), 1 + i % 4);
-        suspect_vec3("the light of the sky, unfiltered by the object", (vec3){1, 1, 1});
+        suspect_vec3("the light of the sky, unfiltered by the object: is it multiplied by C?",
+                     (vec3){1, 1, 1});
         suspect_vec3("black: out of bounces before the sky could be reached", (vec3){0, 0, 0});
         suspect_vec3("albedo twice: the sphere hit itself, or was counted twice",
                      mul(m.albedo, m.albedo));
-        suspect_vec3("1 + albedo: added, not multiplied", add((vec3){1, 1, 1}, m.albedo));
+        suspect_vec3("1 + albedo: added (add), not multiplied (mul)",
+                     add((vec3){1, 1, 1}, m.albedo));
         CHECK_VEC3(trace(&sc, r, 1 + i % 4, &g), m.albedo, exactly());
     }
 }
@@ -368,9 +441,14 @@ static void no_bounces(void) {
     const ray past = {{0, 0, 0}, {1, 2, 5}}, at = {{0, 0, 0}, {1, 2, -5}};
     given("s = 0 and a ray that meets nothing");
     suspect_vec3("white: the sky was never asked", (vec3){1, 1, 1});
+    suspect_vec3("1 + the sky: added (add), not multiplied (mul)",
+                 add((vec3){1, 1, 1}, telling_sky(past.d)));
+    suspect_vec3("black: the sky needs no bounce", (vec3){0, 0, 0});
     CHECK_VEC3(trace(&sc, past, 0, &g), telling_sky(past.d), exactly());
     given("s = 0 and a ray that meets a white mirror");
     suspect_vec3("white: what the slide's loop gives for s = 0", (vec3){1, 1, 1});
+    suspect_vec3("the sky in the mirror: one bounce more than s",
+                 telling_sky((vec3){-1, -2, 5}));
     CHECK_VEC3(trace(&sc, at, 0, &g), ((vec3){0, 0, 0}), exactly());
 }
 
@@ -414,18 +492,27 @@ static void wedge_of_mirrors(void) {
                        add(at_angle(&W, to), scale((real)0.3, W.w))};
         // Folded back: every second picture of the wedge is mirrored.
         const double last = k % 2 ? (k + 1) * angle - to : to - k * angle;
-        color C = telling_sky(add(at_angle(&W, last), scale((real)0.3, W.w)));
-        for (int b = 1; b <= k; b++) C = mul(C, m[b % 2].albedo);
+        const color F_B = telling_sky(add(at_angle(&W, last), scale((real)0.3, W.w)));
+        color C = F_B, sum = {1, 1, 1};
+        for (int b = 1; b <= k; b++) {
+            C = mul(C, m[b % 2].albedo);
+            sum = add(sum, m[b % 2].albedo);
+        }
         most = k > most ? k : most;
         given("two mirrors at 0.3 radians and a ray that bounces exactly %d times: s = %d", k,
               k);
         suspect_vec3("black: the last bounce was not allowed to reach the sky",
                      (vec3){0, 0, 0});
+        if (k > 0) suspect_vec3("the sky's light without C", F_B);
+        suspect_vec3("the albedos added (add), not multiplied (mul)", mul(sum, F_B));
         CHECK_VEC3(trace(&sc, r, k, &g), C,
                    roundings(400 * (k + 1), "each bounce turns d by a few roundings"));
         CHECK_VEC3(trace(&sc, r, k + 3, &g), C, roundings(400 * (k + 1), "as before"));
         if (k == 0) continue;
         given("the same ray, that bounces %d times, with s = %d", k, k - 1);
+        suspect_vec3(k > 1 ? "its light after all bounces: is s counted down, and looked at?"
+                           : "its light after all bounces: with s = 0 none is allowed",
+                     C);
         CHECK_VEC3(trace(&sc, r, k - 1, &g), ((vec3){0, 0, 0}), exactly());
     }
     CHECK(most == 10, "the test itself: some of its rays bounce 10 times");
@@ -439,7 +526,9 @@ static void closed_cavity(void) {
     for (int i = 0; i < 300; i++) {
         const int s = i % 30;
         const ray r = {add(S.c, scale(2, in_cube(&g))), generic_unit(&g)};
-        given("inside a closed white sphere, s = %d: no path can see the sky", s);
+        given("inside a closed white sphere, s = %d: no path can see the sky, and the ray "
+              "bounces for ever unless s is counted down",
+              s);
         CHECK_VEC3(trace(&sc, r, s, &g), ((vec3){0, 0, 0}), exactly());
     }
 }
@@ -453,10 +542,20 @@ static void no_acne(start_rule start, sphere S, int rays) {
         const vec3 O = add(S.c, scale(S.r + 2, generic_unit(&g)));
         const ray r = {O, sub(add(S.c, scale(S.r / 2, in_cube(&g))), O)};
         given("a matte sphere, c = " VEC ", r = %.9g, albedo 0.5 in a sky of 1; ray O = " VEC
-              ", d = " VEC,
-              ARG(S.c), (double)S.r, ARG(r.O), ARG(r.d));
-        suspect_vec3("albedo twice: the next ray hit the surface that it started from",
-                     scale((real)0.25, (vec3){1, 1, 1}));
+              ", d = " VEC "; sc->start is %s",
+              ARG(S.c), (double)S.r, ARG(r.O), ARG(r.d),
+              start == START_BOUND ? "START_BOUND" : "START_EPSILON");
+        suspect_vec3("the light of the sky, unfiltered by the object: is it multiplied by C?",
+                     (vec3){1, 1, 1});
+        suspect_vec3("1 + albedo: added (add), not multiplied (mul)",
+                     (vec3){(real)1.5, (real)1.5, (real)1.5});
+        for (int k = 2; k <= 8; k++)
+            suspect_vec3("albedo more than once: the next ray hit the surface that it started "
+                         "from; was t_min set for it?",
+                         scale((real)pow(0.5, k), (vec3){1, 1, 1}));
+        suspect_vec3("black: the next ray hit the surface that it started from, until s was "
+                     "used up; was t_min set for it?",
+                     (vec3){0, 0, 0});
         CHECK_VEC3(trace(&sc, r, 8, &g), m.albedo, exactly());
     }
 }
@@ -473,16 +572,33 @@ static void bound_rule(void) {
     no_acne(START_BOUND, (sphere){{-4000, 9000, 70}, 3}, 20000);
 }
 
+// Dim straight ahead of the first ray below, where no next ray can go; else 1.
+static color sky_dim_ahead(vec3 d) {
+    const vec3 ahead = normalize((vec3){1, 2, -5});
+    return dot(normalize(d), ahead) > (real)0.9 ? (color){(real)0.125, (real)0.25, (real)0.375}
+                                                : (color){1, 1, 1};
+}
+
 static void long_first_ray(void) {
     const sphere S = {{1, 2, -5}, (real)1.5};
     const material m = {.finish = MATTE, .albedo = {(real)0.5, (real)0.5, (real)0.5}};
     rng g = rng_seed(6, 18);
     for (int start = START_BOUND; start <= START_EPSILON; start++) {
-        const scene sc = one_sphere(&S, &m, (start_rule)start);
-        given("a camera ray with |d| = 5.5 million, so that it meets the sphere at t = 7e-7");
-        suspect_vec3("the sky: t_min of the next rays was used for the first", (vec3){1, 1, 1});
-        CHECK_VEC3(trace(&sc, (ray){{0, 0, 0}, {1e6f, 2e6f, -5e6f}}, 2, &g), m.albedo,
-                   exactly());
+        scene sc = one_sphere(&S, &m, (start_rule)start);
+        sc.sky = sky_dim_ahead;
+        const ray r = {{0, 0, 0}, {1e6f, 2e6f, -5e6f}};
+        given("a camera ray with |d| = 5.5 million, so that it meets the sphere at t = 7e-7; "
+              "the sky behind the sphere is (0.125, 0.25, 0.375), elsewhere 1");
+        suspect_vec3("the sky behind the sphere: t_min of the next rays was used for the first",
+                     sc.sky(r.d));
+        suspect_vec3("the light of the sky, unfiltered by the object: is it multiplied by C?",
+                     (vec3){1, 1, 1});
+        suspect_vec3("1 + albedo: added (add), not multiplied (mul)",
+                     (vec3){(real)1.5, (real)1.5, (real)1.5});
+        suspect_vec3("albedo twice: the next ray hit the surface that it started from; was "
+                     "t_min set for it?",
+                     mul(m.albedo, m.albedo));
+        CHECK_VEC3(trace(&sc, r, 2, &g), m.albedo, exactly());
     }
 }
 
@@ -499,9 +615,15 @@ static void checkered_floor(void) {
         const vec3 square = {floor(between(&g, -9, 9)) + between(&g, (real)0.1, (real)0.9), -1,
                              floor(between(&g, -9, 9)) + between(&g, (real)0.1, (real)0.9)};
         const vec3 O = {between(&g, -5, 5), between(&g, 0, 5), between(&g, -5, 5)};
+        const bool second = checks(square.x, square.z);
+        const color here = second ? m.albedo_2 : m.albedo;
         given("a checkered floor in a sky of 1, seen at " VEC, ARG(square));
-        CHECK_VEC3(trace(&sc, (ray){O, sub(square, O)}, 3, &g),
-                   checks(square.x, square.z) ? m.albedo_2 : m.albedo, exactly());
+        suspect_vec3("the colour of the other squares", second ? m.albedo : m.albedo_2);
+        suspect_vec3("the light of the sky, unfiltered by the object: is it multiplied by C?",
+                     (vec3){1, 1, 1});
+        suspect_vec3("1 + albedo: added (add), not multiplied (mul)",
+                     add((vec3){1, 1, 1}, here));
+        CHECK_VEC3(trace(&sc, (ray){O, sub(square, O)}, 3, &g), here, exactly());
     }
 }
 
@@ -763,8 +885,9 @@ int main(void) {
         "One step of Newton's method for 1/|d|, started at 1, is only good near 1.";
     static const char *const fuzzy = "Mirrored unit direction, plus fuzz times a point of the "
                                      "unit sphere, made a unit vector; what if it points down?";
-    static const char *const lambert = "The density must be cos θ / π: which sum of n and a "
-                                       "random vector has it? On or in the sphere?";
+    static const char *const lambert =
+        "The density must be cos θ / π: which sum of n and a random vector, drawn "
+        "with g, has it? On or in the sphere?";
     static const char *const loop = "Go through the loop by hand with one object and s = 1.";
     static const char *const away = "How far does the box p ± error reach along n? And which "
                                     "way does a rounding go?";
@@ -779,8 +902,13 @@ int main(void) {
         {"fuzzy_bounce: grazing, without fuzz", fuzz_grazing,
          "Here every new draw is the same: rounding put the mirrored ray into the surface."},
         {"fuzzy_bounce: the mean of 200,000", fuzz_mean, fuzzy},
+        {"matte_bounce: another direction every time", matte_differs,
+         "Its random numbers come from g, and g must be the caller's: a fresh rng starts anew "
+         "each time."},
         {"matte_bounce: a unit vector above the surface", matte_unit,
          "Can the sum be zero, or end below the surface?"},
+        {"matte_bounce: when the random vector is nearly -n", matte_opposite,
+         "Of a sum that is tiny only rounding is left: draw again from g."},
         {"matte_bounce: the mean cosine is 2/3", matte_mean, lambert},
         {"matte_bounce: chi² against cos θ / π", matte_cells, lambert},
         {"matte_bounce: the light in a hollow sphere", matte_hollow_sphere, lambert},

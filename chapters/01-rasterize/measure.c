@@ -206,7 +206,7 @@ static void stepped_fixed(void *data) {
 static const timed row_variants[] = {
     // the first two use real
     {"worked out anew, real", anew_real},           {"stepped, real", stepped_real},
-    {"worked out anew, double", anew_double},       {"stepped, double", stepped_double},
+    {"worked out anew in double", anew_double},     {"stepped in double", stepped_double},
     {"stepped, whole 1/256 pixels", stepped_fixed},
 };
 

@@ -1,5 +1,6 @@
 // Wrong: worked out in float.
-// Expect: Work in double from beginning to end
+// Expect: too few digits
+// Expect: double from beginning to end
 #include "chapters/01-rasterize/rasterize.h"
 
 double edge_function(raster_point a, raster_point b, double x, double y) {

@@ -1,5 +1,6 @@
 // Wrong: a fixed t_min for every ray, the first included.
 // Expect: t_min of the next rays was used for the first
+// Expect: the sky behind the sphere
 #include "chapters/06-bounce/bounce.h"
 
 color trace(const scene *sc, ray r, int s, rng *g) {

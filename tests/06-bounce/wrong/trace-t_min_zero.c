@@ -1,4 +1,5 @@
 // Wrong: t_min = 0 also where the scene asks for the fixed epsilon.
+// Expect: was t_min set for it?
 // Expect: See start_t_min
 #include "chapters/06-bounce/bounce.h"
 
