@@ -123,7 +123,9 @@ static void vectors(void) {
 
 static const char *folder(void) {
     static char path[] = "/tmp/common-XXXXXX";
-    if (strchr(path, 'X')) CHECK(mkdtemp(path) != NULL, "a folder for pictures in /tmp");
+    static bool made = false;
+    if (!made) CHECK(mkdtemp(path) != NULL, "a folder for pictures in /tmp");
+    made = true;
     return path;
 }
 
@@ -166,6 +168,7 @@ static void pfm(void) {
     memcpy(&first, bytes + strlen(head) + 2 * 3 * 4, 4);
     CHECK_REAL(first, 1.5, exactly());
     remove(path);
+    rmdir(folder());
 }
 
 // ---- what ends a program ------------------------------------------------------------
