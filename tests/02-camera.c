@@ -105,6 +105,8 @@ static void by_hand(void) {
                  (vec3){0.5f, -0.5f, -5});
     suspect_vec3("made a unit vector: d reaches to the image plane",
                  normalize((vec3){-1.5f, 0.5f, -5}));
+    suspect_vec3("focal is missing: forward has length 1, times focal",
+                 (vec3){-1.5f, 0.5f, -1});
     CHECK_VEC3(camera_ray(&cam, 0.5f, 0.5f).d, ((vec3){-1.5f, 0.5f, -5}), exactly());
     given_camera(&cam, 0.5f, 0.5f);
     CHECK_VEC3(camera_ray(&cam, 0.5f, 0.5f).O, cam.eye, exactly());
@@ -126,13 +128,45 @@ static void corners(void) {
     }
 }
 
+// An odd and an even side: half a pixel added would move both, a lost half only one.
 static void odd_size(void) {
+    const struct {
+        int width, height;
+        real x, y;
+        const char *lost;
+        vec3 without;
+    } rows[] = {{5, 2, 2.5f, 1, "width / 2 as whole numbers: 5 / 2 is 2", {0.5f, 0, -5}},
+                {4, 3, 2, 1.5f, "height / 2 as whole numbers: 3 / 2 is 1", {0, -0.5f, -5}}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        camera cam = small_camera();
+        cam.width = rows[i].width, cam.height = rows[i].height;
+        given_camera(&cam, rows[i].x, rows[i].y);
+        suspect_vec3(rows[i].lost, rows[i].without);
+        suspect_vec3("half a pixel was added: x and y say where in the pixel already",
+                     (vec3){0.5f, -0.5f, -5});
+        CHECK_VEC3(camera_ray(&cam, rows[i].x, rows[i].y).d, ((vec3){0, 0, -5}), exactly());
+    }
+}
+
+static const char *const turned =
+    "the camera is turned: right, up and forward are not x, y and -z";
+
+// Along x, with z upwards: what is written for -z shows.
+static void turned_camera(void) {
     camera cam = small_camera();
-    cam.width = 5, cam.height = 3;
-    given_camera(&cam, 2.5f, 1.5f);
-    suspect_vec3("width / 2 and height / 2 as whole numbers: 5 / 2 is 2",
-                 (vec3){0.5f, -0.5f, -5});
-    CHECK_VEC3(camera_ray(&cam, 2.5f, 1.5f).d, ((vec3){0, 0, -5}), exactly());
+    cam.right = (vec3){0, -1, 0}, cam.up = (vec3){0, 0, 1}, cam.forward = (vec3){1, 0, 0};
+    const struct {
+        real x, y;
+        vec3 d, unturned;
+    } rows[] = {{0.5f, 0.5f, {5, 1.5f, 0.5f}, {-1.5f, 0.5f, -5}},
+                {4, 2, {5, -2, -1}, {2, -1, -5}},
+                {2, 1, {5, 0, 0}, {0, 0, -5}}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        given_camera(&cam, rows[i].x, rows[i].y);
+        suspect_vec3(turned, rows[i].unturned);
+        suspect_vec3(turned, mul(rows[i].unturned, (vec3){1, 1, -1}));
+        CHECK_VEC3(camera_ray(&cam, rows[i].x, rows[i].y).d, rows[i].d, exactly());
+    }
 }
 
 static void generic_rays(void) {
@@ -150,6 +184,10 @@ static void generic_rays(void) {
         suspect_vec3("made a unit vector: d reaches to the image plane", narrow(wide_unit(d)));
         suspect_vec3("the camera looks backwards: forward already points away from the eye",
                      narrow(wide_along(d, -2 * (double)cam.focal, widen(cam.forward))));
+        suspect_vec3("focal is missing: forward has length 1, times focal",
+                     narrow(wide_along(d, 1 - (double)cam.focal, widen(cam.forward))));
+        suspect_vec3(turned,
+                     (vec3){x - (real)cam.width / 2, (real)cam.height / 2 - y, -cam.focal});
         const ray r = camera_ray(&cam, x, y);
         CHECK_VEC3(r.O, cam.eye, exactly());
         CHECK_VEC3(r.d, narrow(d), absolute_of(6 * U * sum, "three products and their sum"));
@@ -232,29 +270,47 @@ static void orthographic_square(void) {
 
 // ---- thin_lens_ray ------------------------------------------------------------------------
 
+static void given_lens(void) {
+    given(
+        "4 x 2 pixels, focal 5, lens radius 0.5, focus 10, eye = (1, 2, 3), right = x, up = y, "
+        "forward = -z; x = 0.5, y = 0.5, u = 0.5, v = -1");
+}
+
 static void lens_by_hand(void) {
     camera cam = small_camera(); // eye (1, 2, 3), along -z, focal 5
     cam.lens_radius = 0.5f, cam.focus = 10;
     // Pixel (0.5, 0.5): d = (-1.5, 0.5, -5); sharp at 2 d from the eye: (-3, 1, -10).
-    given(
-        "4 x 2 pixels, focal 5, lens radius 0.5, focus 10, eye = (1, 2, 3), right = x, up = y, "
-        "forward = -z; x = 0.5, y = 0.5, u = 0.5, v = -1");
+    given_lens();
     suspect_vec3("lens_radius is missing: u and v are in units of it", (vec3){1.5f, 1, 3});
     suspect_vec3("the start is the eye: it should be a point of the lens", cam.eye);
+    suspect_vec3("v counts upwards, along up; only the picture's y runs down",
+                 (vec3){1.25f, 2.5f, 3});
+    suspect_vec3("the eye was forgotten", (vec3){0.25f, -0.5f, 0});
     const ray r = thin_lens_ray(&cam, 0.5f, 0.5f, 0.5f, -1);
     CHECK_VEC3(r.O, ((vec3){1.25f, 1.5f, 3}), exactly());
-    const vec3 bent = {-3.25f, 1.5f, -10};
-    const real pinhole_length = length((vec3){-1.5f, 0.5f, -5});
-    const vec3 on_sphere = scale(10 / pinhole_length, (vec3){-1.5f, 0.5f, -5});
-    suspect_vec3("not bent: it runs beside the pinhole ray and never meets it",
-                 (vec3){-1.5f, 0.5f, -5});
+    const vec3 bent = {-3.25f, 1.5f, -10}, lens = {0.25f, -0.5f, 0};
+    const vec3 d = {-1.5f, 0.5f, -5};
+    given_lens();
+    suspect_vec3("not bent: it runs beside the pinhole ray and never meets it", d);
     suspect_vec3("runs beside the pinhole ray and never meets it", (vec3){-3, 1, -10});
     suspect_vec3(
         "the sharp points lie on a sphere: focus counts along forward, not along the ray",
-        sub(on_sphere, (vec3){0.25f, -0.5f, 0}));
+        sub(scale(10 / length(d), d), lens));
     suspect_vec3("it meets the pinhole ray in the image plane, not in the plane in focus",
-                 (vec3){-1.75f, 1, -5});
+                 sub(d, lens));
     suspect_vec3("made a unit vector: t = 1 belongs to the plane in focus", normalize(bent));
+    suspect_vec3("not divided by focal: focus counts in units, d in pixels",
+                 sub(scale(10, d), lens));
+    suspect_vec3("focal / focus: d reaches focal along forward and should reach focus",
+                 sub(scale(0.5f, d), lens));
+    suspect_vec3("the sharp point itself: subtract the start", (vec3){-2, 3, -7});
+    suspect_vec3("the sharp point from the eye, the start from the origin: both from one point",
+                 (vec3){-4.25f, -0.5f, -13});
+    suspect_vec3(
+        "the point of the lens is added: from there to the sharp point it is taken away",
+        (vec3){-2.75f, 0.5f, -10});
+    suspect_vec3("v counts upwards, along up; only the picture's y runs down",
+                 (vec3){-3.25f, 0.5f, -10});
     CHECK_VEC3(r.d, bent, roundings(4, "one quotient"));
 }
 
@@ -300,11 +356,26 @@ static void lens_of_radius_0(void) {
 
 // ---- camera_right -----------------------------------------------------------------------------
 
-// How far a right vector is from unit length and from perpendicular to forward.
-static double skew(vec3 right, vec3 forward) {
-    const wide3 r = widen(right), f = widen(forward);
-    const double off = fmax(fabs(sqrt(wide_dot(r, r)) - 1), fabs(wide_dot(r, f)));
-    return is_finite(right) ? off : NAN;
+static double exact_dot(vec3 a, vec3 b) {
+    return wide_dot(widen(a), widen(b));
+}
+
+static double exact_length(vec3 a) {
+    return sqrt(exact_dot(a, a));
+}
+
+// A unit vector, perpendicular to forward; `which` says what kind of up this is.
+static void check_right(vec3 forward, vec3 up, const char *which) {
+    given("forward = " VEC ", up = " VEC "%s", ARG(forward), ARG(up), which);
+    const vec3 right = camera_right(forward, up);
+    given("forward = " VEC ", up = " VEC "%s; right = camera_right(forward, up) = " VEC
+          ", its length is %.9g, and right·forward = %.2g",
+          ARG(forward), ARG(up), which, ARG(right), exact_length(right),
+          exact_dot(right, forward));
+    CHECK_REAL(exact_length(right), 1,
+               absolute_of(BASIS_ERROR, "a unit vector, but for roundings"));
+    CHECK_REAL(exact_dot(right, forward), 0,
+               absolute_of(BASIS_ERROR, "perpendicular, but for roundings"));
 }
 
 static void right_by_hand(void) {
@@ -330,7 +401,7 @@ static void right_generic(void) {
         suspect_vec3("not made a unit vector", narrow(across));
         CHECK_VEC3(camera_right(f, up), right,
                    absolute_of(8 * U / sine, "a cross product loses 1 / sine of the angle"));
-        CHECK_AT_MOST(skew(camera_right(f, up), f), BASIS_ERROR, as_unit);
+        check_right(f, up, "");
     }
 }
 
@@ -340,10 +411,8 @@ static void right_parallel(void) {
     const vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}, {-1, 0, 0}};
     for (int i = 0; i < 1000; i++) {
         const vec3 f = i < COUNT(axes) ? axes[i] : generic_direction(&g);
-        for (int k = 0; k < COUNT(factors); k++) {
-            given("forward = " VEC ", up = %g times forward", ARG(f), (double)factors[k]);
-            CHECK_AT_MOST(skew(camera_right(f, scale(factors[k], f)), f), BASIS_ERROR, as_unit);
-        }
+        for (int k = 0; k < COUNT(factors); k++)
+            check_right(f, scale(factors[k], f), ", parallel to forward");
     }
 }
 
@@ -354,9 +423,7 @@ static void right_nearly_parallel(void) {
         for (int i = 0; i < 300; i++) {
             const vec3 f = generic_direction(&g);
             const vec3 up = add(f, scale((real)pow(10, -k), generic_direction(&g)));
-            given("forward = " VEC ", up = " VEC ", about 1e-%d from parallel", ARG(f), ARG(up),
-                  k);
-            CHECK_AT_MOST(skew(camera_right(f, up), f), BASIS_ERROR, as_unit);
+            check_right(f, up, ", nearly parallel to forward");
         }
     }
 }
@@ -395,10 +462,7 @@ static void right_any_length(void) {
 static void right_without_up(void) {
     const vec3 f = unit((vec3){3, -5, 2});
     const vec3 ups[] = {{0, 0, 0}, {(real)NAN, 1, 0}, {0, (real)INFINITY, 0}};
-    for (int i = 0; i < COUNT(ups); i++) {
-        given("forward = " VEC ", up = " VEC, ARG(f), ARG(ups[i]));
-        CHECK_AT_MOST(skew(camera_right(f, ups[i]), f), BASIS_ERROR, as_unit);
-    }
+    for (int i = 0; i < COUNT(ups); i++) check_right(f, ups[i], ", which has no direction");
 }
 
 // ---- camera_look_at -----------------------------------------------------------------------
@@ -829,15 +893,25 @@ static void forwards_area(void) {
 
 int main(void) {
     static const char *const draw =
-        "Draw the image plane: which point of it is (x, y), seen from its middle? y runs down.";
+        "O is the eye, d the way from there to (x, y): how far right of the middle is that, "
+        "how far above (y runs down), how far ahead?";
     static const char *const parallel =
         "Orthographic: where does each ray start, and in which direction do all go?";
     static const char *const meet =
-        "All rays of a pixel meet in one point. Where is it, seen from the eye?";
+        "From a point of the lens to where the pinhole ray meets the plane in focus: where do "
+        "both lie, seen from the eye? This rests on camera_ray: is that right? "
+        "make test-02 T=thin_lens_ray judges this one alone.";
     static const char *const nothing =
-        "The cross product of parallel vectors is zero, and 0/0 is NaN: ask before.";
+        "Parallel vectors have the cross product zero, and no length makes that a unit vector: "
+        "take another axis then, one that is not parallel to forward either, and make the "
+        "product a unit vector.";
+    static const char *const no_up =
+        "Ask whether up is zero or not finite before you use it: every comparison with NaN is "
+        "false, so none that you make later stops it. Then any unit vector perpendicular to "
+        "forward will do.";
     static const char *const noise_left =
-        "Near parallel, rounding leaves a part along forward: take it away, or use double.";
+        "Of length 1 and perpendicular, always. Near parallel, rounding leaves a part along "
+        "forward: measure it and take it away.";
     static const char *const physics = "Radiance, solid angle and area on both sides.";
     static const char *const look = "See the contract in camera.h.";
     static const char *const loop =
@@ -845,10 +919,15 @@ int main(void) {
     static const test tests[] = {
         {"camera_ray: the first pixel of a small picture", by_hand, draw},
         {"camera_ray: corners and middle", corners, draw},
-        {"camera_ray: an odd number of pixels", odd_size, "1 / 2 is 0 in C."},
+        {"camera_ray: an odd number of pixels", odd_size,
+         "In the middle of the picture d is focal forward and nothing else: what does each "
+         "term "
+         "give there?"},
+        {"camera_ray: a turned camera", turned_camera, draw},
         {"camera_ray: 3000 generic cameras", generic_rays, draw},
         {"camera_ray: exact along -z up to 16384 pixels", canonical_exact,
-         "Half-integers are exact: do not divide before you must."},
+         "With these axes d is (x - w/2, h/2 - y, -focal), and no step to it rounds: what else "
+         "is done to it?"},
         {"orthographic_ray: the first pixel of a small picture", orthographic_by_hand,
          parallel},
         {"orthographic_ray: 3000 generic cameras", orthographic_generic, parallel},
@@ -858,16 +937,18 @@ int main(void) {
         {"thin_lens_ray: sharp in the plane of focus", lens_focus, meet},
         {"thin_lens_ray: radius 0 is a pinhole", lens_of_radius_0, meet},
         {"camera_right: worked out by hand", right_by_hand,
-         "Point along forward and up with your right hand."},
-        {"camera_right: generic views", right_generic, "Perpendicular to both: which product?"},
+         "Perpendicular to forward and up, of length 1, and on the right: which product?"},
+        {"camera_right: generic views", right_generic,
+         "Perpendicular to forward and up, of length 1, and on the right: which product?"},
         {"camera_right: up parallel to the view", right_parallel, nothing},
         {"camera_right: up nearly parallel to the view", right_nearly_parallel, noise_left},
         {"camera_right: a thousandth is not parallel", right_listens,
-         "Only what is parallel within rounding says nothing; the length of up does not "
-         "count."},
+         "Only what is parallel within rounding says nothing. Anything else is forward x up, "
+         "made a unit vector."},
         {"camera_right: up of any length", right_any_length,
-         "Squares of 1e-30 vanish and of 1e30 overflow in float: bring up to size first."},
-        {"camera_right: up is zero or not finite", right_without_up, nothing},
+         "The same right for every length of up: bring up to size first. (In float the square "
+         "of 1e-30 vanishes and that of 1e30 overflows.)"},
+        {"camera_right: up is zero or not finite", right_without_up, no_up},
         {"camera_look_at: an orthonormal, right-handed basis", look_at_basis, noise_left},
         {"camera_look_at: near and far targets", look_at_sizes, look},
         {"camera_look_at: focal from the field of view", look_at_focal, look},

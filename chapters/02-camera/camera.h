@@ -71,8 +71,10 @@ ray thin_lens_ray(const camera *cam, real x, real y, real u, real v);
 
 // The unit vector to the right: perpendicular to `forward` (unit) and to `up`
 // (any length), along forward x up. When up says nothing, since it is zero, not
-// finite or parallel to forward: any unit vector perpendicular to forward. Never
-// NaN, and perpendicular to forward within rounding however near up comes to it.
+// finite or parallel to forward: any unit vector perpendicular to forward. What
+// may be taken for parallel: a sine of the angle below 8 REAL_EPSILON. Never NaN,
+// and in float as in double perpendicular to forward within rounding (3e-7 and
+// 6e-16), however near up comes to it.
 vec3 camera_right(vec3 forward, vec3 up);
 
 #endif

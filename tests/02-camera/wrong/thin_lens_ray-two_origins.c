@@ -1,0 +1,10 @@
+// Wrong: the start counts from the origin, the sharp point from the eye.
+// Expect: both from one point
+#include "chapters/02-camera/camera.h"
+
+ray thin_lens_ray(const camera *cam, real x, real y, real u, real v) {
+    const ray pinhole = camera_ray(cam, x, y);
+    const vec3 sharp = scale(cam->focus / cam->focal, pinhole.d);
+    const vec3 lens = scale(cam->lens_radius, add(scale(u, cam->right), scale(v, cam->up)));
+    return (ray){add(cam->eye, lens), sub(sharp, add(cam->eye, lens))};
+}
