@@ -1,5 +1,7 @@
 // Tests of 05-triangle: the exercises, the mesh, and that a traced picture covers
 // the pixels of the rasterised one.
+#include <stdio.h>
+
 #include "chapters/05-triangle/triangle.h"
 #include "common/measure.h"
 #include "common/wide3.h"
@@ -16,6 +18,20 @@ static const char *const one_rounding = "double inside, one rounding out";
 static allowance t_allowance(double condition) {
     return relative_to(in_float ? 6e-8 : 4e-15 * condition, one_rounding);
 }
+
+static const char *called(hit_function f, const char *rest) {
+    static char words[200];
+    const char *name = f == moller_trumbore  ? "moller_trumbore"
+                       : f == watertight_hit ? "watertight_hit"
+                                             : "triangle_hit";
+    snprintf(words, sizeof words, "%s%s", name, rest);
+    return words;
+}
+
+// One table tests several functions: the message shall name the student's.
+#define CHECK_TEST(f, args, part, expected, allowed)                                  \
+    check_real(__FILE__, __LINE__, called(f, #args "." #part), (double)(f args).part, \
+               (double)(expected), allowed)
 
 static void given_triangle(triangle T, ray r) {
     given("triangle " VEC ", " VEC ", " VEC "\nray O = " VEC ", d = " VEC, ARG(T.p1), ARG(T.p2),
@@ -100,25 +116,47 @@ static const shape usual = {1, 1, 0, 1};
 // Corners (1, 0, 2), (5, 2, 2), (1, 4, 6); p = p1 + u e1 + v e2 with halves and quarters.
 static const triangle by_hand = {{1, 0, 2}, {5, 2, 2}, {1, 4, 6}};
 
-static bool inside_by_hand(real u, real v) {
-    const vec3 p = at(by_hand, u, v);
-    given("triangle (1, 0, 2), (5, 2, 2), (1, 4, 6); p = " VEC " = %.3g p1 + %.3g p2 + %.3g p3",
-          ARG(p), (double)(1 - u - v), (double)u, (double)v);
-    return point_in_triangle(p, by_hand, triangle_normal(by_hand));
+// A second one, exact too, with no edge along an axis.
+static const triangle tilted = {{-3, 5, 1}, {2, -6, 8}, {7, 4, -5}};
+
+static void given_point(triangle T, vec3 p, real u, real v) {
+    given("T = " VEC ", " VEC ", " VEC "; p = " VEC " = %.3g p1 + %.3g p2 + %.3g p3", ARG(T.p1),
+          ARG(T.p2), ARG(T.p3), ARG(p), (double)(1 - u - v), (double)u, (double)v);
+}
+
+static void check_inside(triangle T, real u, real v, bool expected) {
+    const vec3 p = at(T, u, v), n = triangle_normal(T);
+    given_point(T, p, u, v);
+    CHECK_BOOL(point_in_triangle(p, T, n), expected);
 }
 
 static void inside_worked_out(void) {
-    CHECK_BOOL(inside_by_hand(0.25f, 0.25f), true);
-    CHECK_BOOL(inside_by_hand(0.5f, 0.375f), true);
-    CHECK_BOOL(inside_by_hand(-0.25f, 0.5f), false);
-    CHECK_BOOL(inside_by_hand(0.5f, -0.25f), false);
-    CHECK_BOOL(inside_by_hand(0.75f, 0.5f), false);
-    CHECK_BOOL(inside_by_hand(-0.25f, -0.25f), false);
+    check_inside(by_hand, 0.25f, 0.25f, true);
+    check_inside(by_hand, 0.5f, 0.375f, true);
+    check_inside(by_hand, -0.25f, 0.5f, false);
+    check_inside(by_hand, 0.5f, -0.25f, false);
+    check_inside(by_hand, 0.75f, 0.5f, false);
+    check_inside(by_hand, -0.25f, -0.25f, false);
+    check_inside(by_hand, 1.5f, -0.25f, false);
+    check_inside(by_hand, -0.25f, 1.5f, false);
 }
 
 static void inside_border(void) {
     const real uv[][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5f, 0}, {0, 0.25f}, {0.5f, 0.5f}};
-    for (int i = 0; i < COUNT(uv); i++) CHECK_BOOL(inside_by_hand(uv[i][0], uv[i][1]), true);
+    for (int i = 0; i < COUNT(uv); i++) {
+        check_inside(by_hand, uv[i][0], uv[i][1], true);
+        check_inside(tilted, uv[i][0], uv[i][1], true);
+    }
+}
+
+// On the line of an edge and beyond a corner, where one cross product is 0.
+static void inside_beyond(void) {
+    const real uv[][2] = {{1.5f, 0},   {-0.5f, 0},    {0, 1.25f},
+                          {0, -0.25f}, {1.5f, -0.5f}, {-0.25f, 1.25f}};
+    for (int i = 0; i < COUNT(uv); i++) {
+        check_inside(by_hand, uv[i][0], uv[i][1], false);
+        check_inside(tilted, uv[i][0], uv[i][1], false);
+    }
 }
 
 // Rounding moves p by about 1e-7: decisions are asked for 1e-3 away from the edges.
@@ -132,13 +170,10 @@ static void inside_generic(void) {
         const real nearest = fmin(fmin(u, v), 1 - u - v);
         const vec3 n = triangle_normal(T), p = at(T, u, v);
         if (fabs(nearest) < (real)1e-3 || length(n) < (real)1e-2 * size * size) continue;
-        given("triangle " VEC ", " VEC ", " VEC "\np = " VEC
-              " in its plane, with the weights %.3g, %.3g, %.3g",
-              ARG(T.p1), ARG(T.p2), ARG(T.p3), ARG(p), (double)(1 - u - v), (double)u,
-              (double)v);
+        given_point(T, p, u, v);
         CHECK_BOOL(point_in_triangle(p, T, n), nearest > 0);
         const triangle turned = {T.p1, T.p3, T.p2};
-        given("the triangle before with p2 and p3 exchanged, so that n points the other way");
+        given_point(turned, p, v, u);
         CHECK_BOOL(point_in_triangle(p, turned, triangle_normal(turned)), nearest > 0);
     }
 }
@@ -152,12 +187,8 @@ static void inside_every_plane(void) {
     };
     for (int i = 0; i < COUNT(planes); i++) {
         const triangle T = planes[i];
-        const vec3 n = triangle_normal(T);
-        given("triangle " VEC ", " VEC ", " VEC ", in a plane of two axes; its middle",
-              ARG(T.p1), ARG(T.p2), ARG(T.p3));
-        CHECK_BOOL(point_in_triangle(at(T, 0.25f, 0.25f), T, n), true);
-        given("the same triangle, a point outside it in its plane");
-        CHECK_BOOL(point_in_triangle(at(T, 0.75f, 0.75f), T, n), false);
+        check_inside(T, 0.25f, 0.25f, true);
+        check_inside(T, 0.75f, 0.75f, false);
     }
 }
 
@@ -166,35 +197,45 @@ static void inside_every_plane(void) {
 // u = v = 1/4 of by_hand is (2, 1.5, 3); O = that - 2 d.
 static void worked_out(hit_function triangle_test) {
     const ray r = {{0, -0.5f, 7}, {1, 1, -2}};
-    given_triangle(by_hand, r);
+    given("triangle " VEC ", " VEC ", " VEC "\nray O = " VEC ", d = " VEC
+          "\n(by hand: n = (8, -16, 16), det = 40, u = v = 1/4, t = 80 / 40)",
+          ARG(by_hand.p1), ARG(by_hand.p2), ARG(by_hand.p3), ARG(r.O), ARG(r.d));
     suspect_value("the distance |t d|: t counts in |d|", 2 * sqrt(6.0));
-    CHECK_REAL(triangle_test(by_hand, r, 0, NO_HIT).t, 2, exactly());
+    suspect_value("t times det: the division is missing", 80);
+    suspect_value("minus t: det, or s = O - p1, the wrong way round", -2);
+    CHECK_TEST(triangle_test, (by_hand, r, -NO_HIT, NO_HIT), t, 2, exactly());
     const ray off = {{1, -0.5f, 7}, {1, 1, -2}}; // meets the plane at (2.857, 1.357, 3.286)
     const truth want = exact_hit(by_hand, off);
     given_triangle(by_hand, off);
     suspect_value("v: are u and v exchanged?", (double)want.v);
     suspect_value("the weight of p1: u belongs to p2", (double)(1 - want.u - want.v));
-    CHECK_REAL(triangle_test(by_hand, off, 0, NO_HIT).u, want.u, roundings(2, "double inside"));
+    CHECK_TEST(triangle_test, (by_hand, off, 0, NO_HIT), u, want.u,
+               roundings(2, "double inside"));
     given_triangle(by_hand, off);
     suspect_value("u: are u and v exchanged?", (double)want.u);
     suspect_value("the weight of p1: v belongs to p3", (double)(1 - want.u - want.v));
-    CHECK_REAL(triangle_test(by_hand, off, 0, NO_HIT).v, want.v, roundings(2, "double inside"));
+    CHECK_TEST(triangle_test, (by_hand, off, 0, NO_HIT), v, want.v,
+               roundings(2, "double inside"));
 }
 
 static void check_truth(hit_function triangle_test, triangle T, ray r, double condition) {
     const truth want = exact_hit(T, r);
     if (want.t < 0 || fabs(want.margin) < (in_float ? 1e-11 : 1e-14 * condition)) return;
     given_triangle(T, r);
-    suspect_value("the distance |t d|: t counts in |d|", (double)want.t * length(r.d));
-    const triangle_point q = triangle_test(T, r, 0, NO_HIT);
-    CHECK_REAL(q.t, want.hit ? (double)want.t : (double)NO_HIT, t_allowance(condition));
+    if (!want.hit)
+        suspect_value("a point outside: which of u, v, u + v is beyond its limits?",
+                      (double)want.t);
+    if (want.hit && fabs(length(r.d) - 1) > (real)0.01)
+        suspect_value("the distance |t d|: t counts in |d|", (double)want.t * length(r.d));
+    CHECK_TEST(triangle_test, (T, r, 0, NO_HIT), t, want.hit ? (double)want.t : (double)NO_HIT,
+               t_allowance(condition));
     if (!want.hit) return;
     const allowance weight = absolute_of((in_float ? 1e-7 : 1e-14 * condition),
                                          "double inside, rounded; weights are at most 1");
     suspect_value("u and v exchanged?", (double)want.v);
     suspect_value("the weight of p1: u is that of p2", (double)(1 - want.u - want.v));
-    CHECK_REAL(q.u, want.u, weight);
-    CHECK_REAL(q.v, want.v, weight);
+    CHECK_TEST(triangle_test, (T, r, 0, NO_HIT), u, want.u, weight);
+    CHECK_TEST(triangle_test, (T, r, 0, NO_HIT), v, want.v, weight);
 }
 
 static void generic_rays(hit_function triangle_test) {
@@ -224,15 +265,20 @@ static void reproduces(hit_function triangle_test) {
 
 static void interval(hit_function triangle_test) {
     const ray r = {{0, -0.5f, 7}, {1, 1, -2}};
-    given("a triangle that the ray meets at t = 2, exactly");
-    CHECK_REAL(triangle_test(by_hand, r, 1, 3).t, 2, exactly());
-    CHECK_REAL(triangle_test(by_hand, r, 2, 3).t, NO_HIT, exactly());
-    CHECK_REAL(triangle_test(by_hand, r, 0, 2).t, NO_HIT, exactly());
-    CHECK_REAL(triangle_test(by_hand, r, 2.5f, 3).t, NO_HIT, exactly());
+    given_triangle(by_hand, r); // at t = 2
+    CHECK_TEST(triangle_test, (by_hand, r, 1, 3), t, 2, exactly());
+    CHECK_TEST(triangle_test, (by_hand, r, 2, 3), t, NO_HIT, exactly());
+    CHECK_TEST(triangle_test, (by_hand, r, 0, 2), t, NO_HIT, exactly());
+    CHECK_TEST(triangle_test, (by_hand, r, 2.5f, 3), t, NO_HIT, exactly());
+    const triangle wide = {{-8, -8, -4}, {24, -8, -4}, {-8, 24, -4}};
+    const ray near = {{1, 2, (real)(REAL_EPSILON / 16)}, {0, 0, -1}};
+    given_triangle(wide, near);
+    suspect_value("t compared before it was rounded to real: it comes back as t_min", 4);
+    CHECK_TEST(triangle_test, (wide, near, 4, 5), t, NO_HIT, exactly());
     const ray behind = {{0, -0.5f, 7}, {-1, -1, 2}};
-    given("the same triangle behind the eye, at t = -2");
-    CHECK_REAL(triangle_test(by_hand, behind, 0, NO_HIT).t, NO_HIT, exactly());
-    CHECK_REAL(triangle_test(by_hand, behind, -NO_HIT, NO_HIT).t, -2, exactly());
+    given_triangle(by_hand, behind);
+    CHECK_TEST(triangle_test, (by_hand, behind, 0, NO_HIT), t, NO_HIT, exactly());
+    CHECK_TEST(triangle_test, (by_hand, behind, -NO_HIT, NO_HIT), t, -2, exactly());
 }
 
 static void both_sides(hit_function triangle_test) {
@@ -350,42 +396,42 @@ static void zero_area(hit_function triangle_test) {
         const vec3 d = scale(unit, i % 2 ? whole_point(&g, 20000) : scale(20000, in_cube(&g)));
         const ray r = {sub(lerp(T.p2, T.p3, s), d), d};
         given_triangle(T, r);
-        CHECK_REAL(triangle_test(T, r, 0, NO_HIT).t, NO_HIT, exactly());
+        CHECK_TEST(triangle_test, (T, r, 0, NO_HIT), t, NO_HIT, exactly());
     }
 }
 
 static void not_crossing(hit_function triangle_test) {
     given("a ray in the plane of the triangle (1, 0, 2), (5, 2, 2), (1, 4, 6), through it");
     const vec3 middle = at(by_hand, 0.25f, 0.25f), along = sub(by_hand.p3, by_hand.p2);
-    CHECK_REAL(triangle_test(by_hand, (ray){sub(middle, along), along}, 0, NO_HIT).t, NO_HIT,
+    CHECK_TEST(triangle_test, (by_hand, (ray){sub(middle, along), along}, 0, NO_HIT), t, NO_HIT,
                exactly());
     given("a ray along the edge from p1 to p2 of that triangle");
-    CHECK_REAL(triangle_test(by_hand, (ray){{-3, -2, 2}, {4, 2, 0}}, 0, NO_HIT).t, NO_HIT,
+    CHECK_TEST(triangle_test, (by_hand, (ray){{-3, -2, 2}, {4, 2, 0}}, 0, NO_HIT), t, NO_HIT,
                exactly());
     given("a ray parallel to the triangle, above it");
     const vec3 above = add(middle, (vec3){0, 0, 1});
-    CHECK_REAL(triangle_test(by_hand, (ray){sub(above, along), along}, 0, NO_HIT).t, NO_HIT,
+    CHECK_TEST(triangle_test, (by_hand, (ray){sub(above, along), along}, 0, NO_HIT), t, NO_HIT,
                exactly());
     given("d = 0, with O in the triangle and outside it");
-    CHECK_REAL(triangle_test(by_hand, (ray){middle, {0, 0, 0}}, -1, NO_HIT).t, NO_HIT,
+    CHECK_TEST(triangle_test, (by_hand, (ray){middle, {0, 0, 0}}, -1, NO_HIT), t, NO_HIT,
                exactly());
-    CHECK_REAL(triangle_test(by_hand, (ray){above, {0, 0, 0}}, -1, NO_HIT).t, NO_HIT,
+    CHECK_TEST(triangle_test, (by_hand, (ray){above, {0, 0, 0}}, -1, NO_HIT), t, NO_HIT,
                exactly());
 }
 
 static void not_a_number(hit_function triangle_test) {
     const real nan = (real)NAN;
     const ray good = {{0, -0.5f, 7}, {1, 1, -2}};
-    given("a ray with a component that is not a number");
-    CHECK_REAL(triangle_test(by_hand, (ray){{0, nan, 7}, good.d}, 0, NO_HIT).t, NO_HIT,
+    given("triangle (1, 0, 2), (5, 2, 2), (1, 4, 6); O.y, d.y, or all of d not a number");
+    CHECK_TEST(triangle_test, (by_hand, (ray){{0, nan, 7}, good.d}, 0, NO_HIT), t, NO_HIT,
                exactly());
-    CHECK_REAL(triangle_test(by_hand, (ray){good.O, {1, nan, -2}}, 0, NO_HIT).t, NO_HIT,
+    CHECK_TEST(triangle_test, (by_hand, (ray){good.O, {1, nan, -2}}, 0, NO_HIT), t, NO_HIT,
                exactly());
-    CHECK_REAL(triangle_test(by_hand, (ray){good.O, {nan, nan, nan}}, 0, NO_HIT).t, NO_HIT,
+    CHECK_TEST(triangle_test, (by_hand, (ray){good.O, {nan, nan, nan}}, 0, NO_HIT), t, NO_HIT,
                exactly());
     given("a triangle with a corner that is not a number");
     const triangle T = {by_hand.p1, {nan, 2, 2}, by_hand.p3};
-    CHECK_REAL(triangle_test(T, good, 0, NO_HIT).t, NO_HIT, exactly());
+    CHECK_TEST(triangle_test, (T, good, 0, NO_HIT), t, NO_HIT, exactly());
 }
 
 // Rays along the axes, in each of which two components of d are 0.
@@ -413,7 +459,7 @@ static void exact_border(hit_function triangle_test) {
             const ray r = {sub(p, scale(2, d[k])), d[k]};
             given_triangle(T, r);
             suspect_value("a miss: edges and corners belong to the triangle", (double)NO_HIT);
-            CHECK_REAL(triangle_test(T, r, 0, NO_HIT).t, 2, exactly());
+            CHECK_TEST(triangle_test, (T, r, 0, NO_HIT), t, 2, exactly());
         }
     }
 }
@@ -873,6 +919,8 @@ int main(void) {
         {"point_in_triangle: worked out by hand", inside_worked_out, sides},
         {"point_in_triangle: generic triangles", inside_generic, sides},
         {"point_in_triangle: edges and corners", inside_border, belongs},
+        {"point_in_triangle: beyond the corners", inside_beyond,
+         "On the line through an edge its cross product is 0: the other two must decide."},
         {"point_in_triangle: in every plane", inside_every_plane,
          "Two coordinates are not enough in every plane: compare directions with n."},
         {"moller_trumbore: worked out by hand", mt_worked_out, solve},

@@ -1,5 +1,5 @@
 // Wrong: u + v <= 1 is forgotten: a parallelogram.
-// Expect: a hit was reported where there is none
+// Expect: looks like a point outside: which of u, v, u + v is beyond its limits?
 #include "chapters/05-triangle/triangle.h"
 #include "common/wide3.h"
 
