@@ -11,7 +11,7 @@
 #endif
 
 #include "chapters/02-camera/lamp.h"
-#include "common/measure.h"
+#include "common/exact3.h"
 #include "common/wide3.h"
 #include "tests/check.h"
 
@@ -20,12 +20,6 @@
 static const char *const as_unit = "unit and perpendicular within rounding";
 
 // ---- generic data ------------------------------------------------------------------
-
-// Uniform in [-1, 1)³.
-static vec3 in_cube(rng *g) {
-    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
-    return (vec3){x, y, z};
-}
 
 static wide3 wide_unit(wide3 a) {
     const double size = sqrt(wide_dot(a, a));
@@ -356,12 +350,12 @@ static void lens_of_radius_0(void) {
 
 // ---- camera_right -----------------------------------------------------------------------------
 
-static double exact_dot(vec3 a, vec3 b) {
+static double dot_in_double(vec3 a, vec3 b) {
     return wide_dot(widen(a), widen(b));
 }
 
 static double exact_length(vec3 a) {
-    return sqrt(exact_dot(a, a));
+    return sqrt(dot_in_double(a, a));
 }
 
 // A unit vector, perpendicular to forward; `which` says what kind of up this is.
@@ -371,10 +365,10 @@ static void check_right(vec3 forward, vec3 up, const char *which) {
     given("forward = " VEC ", up = " VEC "%s; right = camera_right(forward, up) = " VEC
           ", its length is %.9g, and right·forward = %.2g",
           ARG(forward), ARG(up), which, ARG(right), exact_length(right),
-          exact_dot(right, forward));
+          dot_in_double(right, forward));
     CHECK_REAL(exact_length(right), 1,
                absolute_of(BASIS_ERROR, "a unit vector, but for roundings"));
-    CHECK_REAL(exact_dot(right, forward), 0,
+    CHECK_REAL(dot_in_double(right, forward), 0,
                absolute_of(BASIS_ERROR, "perpendicular, but for roundings"));
 }
 

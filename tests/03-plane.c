@@ -1,6 +1,6 @@
 // Tests of 03-plane: plane_hit, disc_hit, checks_average, and the hit record.
 #include "chapters/03-plane/plane.h"
-#include "common/measure.h"
+#include "common/exact3.h"
 #include "common/wide3.h"
 #include "tests/check.h"
 
@@ -9,17 +9,10 @@ static void given_plane(plane P, ray r) {
           ARG(P.n), ARG(r.O), ARG(r.d));
 }
 
-// Uniform in [-1, 1)³.
-static vec3 in_cube(rng *g) {
-    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
-    return (vec3){x, y, z};
-}
-
 // t in higher precision: the reference.
 static exact plane_t(plane P, ray r) {
-    const exact above = ((exact)P.x.x - r.O.x) * P.n.x + ((exact)P.x.y - r.O.y) * P.n.y +
-                        ((exact)P.x.z - r.O.z) * P.n.z;
-    return above / ((exact)r.d.x * P.n.x + (exact)r.d.y * P.n.y + (exact)r.d.z * P.n.z);
+    const exact3 n = exact_of(P.n);
+    return exact_dot(exact_sub(P.x, r.O), n) / exact_dot(exact_of(r.d), n);
 }
 
 // Σ |a_i b_i| / |Σ a_i b_i|: how much of a dot product cancels.
@@ -186,8 +179,7 @@ static void error_bound(void) {
         const real t = plane_hit(P, r, 0, NO_HIT);
         if (t == NO_HIT) continue;
         const hit h = plane_surface(P, r, t);
-        const exact off = ((exact)h.p.x - P.x.x) * P.n.x + ((exact)h.p.y - P.x.y) * P.n.y +
-                          ((exact)h.p.z - P.x.z) * P.n.z;
+        const exact off = exact_dot(exact_sub(h.p, P.x), exact_of(P.n));
         given_plane(P, r);
         CHECK_AT_MOST(fabs((double)off), (1 + 8 * REAL_EPSILON) * dot(h.error, absolute(P.n)),
                       "hit.error bounds |(p - x)·n|");

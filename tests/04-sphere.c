@@ -1,40 +1,15 @@
 // Tests of 04-sphere: the two quadratics, nearest_root, far_discriminant, the sphere and
 // the cylinder. References are worked out in 113 bits.
 #include "chapters/04-sphere/sphere.h"
-#include "common/measure.h"
+#include "common/exact3.h"
 #include "tests/check.h"
 
 static const double u64 = DBL_EPSILON / 2; // one rounding of a double
 
 // ---- vectors in higher precision, generic data ------------------------------------
 
-typedef struct {
-    exact x, y, z;
-} exact3;
-
-static exact3 exact_of(vec3 a) {
-    return (exact3){a.x, a.y, a.z};
-}
-
-static exact3 exact_sub(vec3 a, vec3 b) {
-    return (exact3){(exact)a.x - b.x, (exact)a.y - b.y, (exact)a.z - b.z};
-}
-
-static exact3 exact_along(exact3 a, exact s, exact3 b) {
-    return (exact3){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
-}
-
-static exact exact_dot(exact3 a, exact3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 static double error_of(double got, exact want) {
     return relative_error(got, want) * (double)REAL_EPSILON;
-}
-
-static vec3 in_cube(rng *g) { // uniform in [-1, 1)³
-    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
-    return (vec3){x, y, z};
 }
 
 static vec3 in_ball(rng *g) {

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "chapters/05-triangle/triangle.h"
-#include "common/measure.h"
+#include "common/exact3.h"
 #include "common/wide3.h"
 #include "tests/check.h"
 
@@ -41,26 +41,6 @@ static void given_triangle(triangle T, ray r) {
 // ---- the reference --------------------------------------------------------------
 
 typedef struct {
-    exact x, y, z;
-} exact3;
-
-static exact3 exact_of(vec3 a) {
-    return (exact3){a.x, a.y, a.z};
-}
-
-static exact3 exact_sub(vec3 a, vec3 b) {
-    return (exact3){(exact)a.x - b.x, (exact)a.y - b.y, (exact)a.z - b.z};
-}
-
-static exact3 exact_cross(exact3 a, exact3 b) {
-    return (exact3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static exact exact_dot(exact3 a, exact3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-typedef struct {
     bool hit;
     exact t, u, v;
     double margin; // the smallest weight: how far inside, or outside when negative
@@ -78,12 +58,6 @@ static truth exact_hit(triangle T, ray r) {
 }
 
 // ---- data -------------------------------------------------------------------------
-
-// Uniform in [-1, 1)³.
-static vec3 in_cube(rng *g) {
-    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
-    return (vec3){x, y, z};
-}
 
 static vec3 at(triangle T, real u, real v) {
     return add(add(scale(1 - u - v, T.p1), scale(u, T.p2)), scale(v, T.p3));

@@ -1,17 +1,11 @@
 // Tests of 06-bounce: the mirror, fuzzy and matte bounces, the loop, and where
 // the next ray starts.
 #include "chapters/06-bounce/bounce.h"
-#include "common/measure.h"
+#include "common/exact3.h"
 #include "common/wide3.h"
 #include "tests/check.h"
 
 static const double false_alarm = 1e-6; // of a chi² test of a right answer
-
-// Uniform in [-1, 1)³.
-static vec3 in_cube(rng *g) {
-    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
-    return (vec3){x, y, z};
-}
 
 static vec3 generic_unit(rng *g) {
     vec3 v;
@@ -635,7 +629,7 @@ enum { PER_SETTING = 2500 };
 static const double sizes[] = {1e-6, 1e-3, 1, 1e3, 1e6};
 static const double distances[] = {0, 1, 100, 1e4}; // of the body from the origin, in sizes
 
-static exact exact_dot(vec3 q, vec3 x, exact nx, exact ny, exact nz) {
+static exact exact_height(vec3 q, vec3 x, exact nx, exact ny, exact nz) {
     return ((exact)q.x - x.x) * nx + ((exact)q.y - x.y) * ny + ((exact)q.z - x.z) * nz;
 }
 
@@ -650,14 +644,15 @@ static double sphere_side(sphere S, vec3 q) {
 }
 
 static double plane_side(plane P, vec3 q) {
-    return sign_of(exact_dot(q, P.x, P.n.x, P.n.y, P.n.z));
+    return sign_of(exact_height(q, P.x, P.n.x, P.n.y, P.n.z));
 }
 
 static double triangle_side(triangle T, vec3 q) {
     const exact ax = (exact)T.p2.x - T.p1.x, ay = (exact)T.p2.y - T.p1.y,
                 az = (exact)T.p2.z - T.p1.z, bx = (exact)T.p3.x - T.p1.x,
                 by = (exact)T.p3.y - T.p1.y, bz = (exact)T.p3.z - T.p1.z;
-    return sign_of(exact_dot(q, T.p1, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx));
+    return sign_of(
+        exact_height(q, T.p1, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx));
 }
 
 static void report(const char *what, hit h, vec3 d, vec3 q) {

@@ -1,7 +1,7 @@
 // measure.c: ways to work out a camera's rays and its axis to the right, their
 // error and their cost; and the share of light that finds the camera by itself.
-#include "common/measure.h"
 #include "chapters/02-camera/lamp.h"
+#include "common/exact3.h"
 #include "common/wide3.h"
 
 enum { CASES = 4096, ROUNDS = 9, EYES = 64 };
@@ -75,11 +75,6 @@ static const struct {
 };
 
 // ---- the cases ----------------------------------------------------------------------
-
-static vec3 in_cube(rng *g) {
-    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
-    return (vec3){x, y, z};
-}
 
 static vec3 direction(rng *g) {
     for (;;) {

@@ -1,6 +1,6 @@
 // measure.c: ways to work out t for a plane, their error and their cost.
-#include "common/measure.h"
 #include "chapters/03-plane/plane.h"
+#include "common/exact3.h"
 #include "common/wide3.h"
 
 enum { CASES = 4096, ROUNDS = 9 };
@@ -67,11 +67,6 @@ static const timed timings[] = {
 
 // ---- the cases ----------------------------------------------------------------
 
-static vec3 in_cube(rng *g) {
-    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
-    return (vec3){x, y, z};
-}
-
 // Planes within `size` of `centre`, met at the given slope d·n / |d||n| by
 // directions about `speed` long.
 static void fill(cases *c, vec3 centre, real size, real slope, real speed) {
@@ -86,9 +81,8 @@ static void fill(cases *c, vec3 centre, real size, real slope, real speed) {
 }
 
 static exact reference(plane P, ray r) {
-    const exact above = ((exact)P.x.x - r.O.x) * P.n.x + ((exact)P.x.y - r.O.y) * P.n.y +
-                        ((exact)P.x.z - r.O.z) * P.n.z;
-    return above / ((exact)r.d.x * P.n.x + (exact)r.d.y * P.n.y + (exact)r.d.z * P.n.z);
+    const exact3 n = exact_of(P.n);
+    return exact_dot(exact_sub(P.x, r.O), n) / exact_dot(exact_of(r.d), n);
 }
 
 static double error_of(double t, exact want) {

@@ -1,7 +1,7 @@
 // measure.c: ways to meet a triangle: their error, what slips between two of them,
 // and their cost. It holds answers to the exercises.
-#include "common/measure.h"
 #include "chapters/05-triangle/triangle.h"
+#include "common/exact3.h"
 #include "common/wide3.h"
 
 enum { CASES = 4096, ROUNDS = 9, COLLINEAR = 50000, LEAK_RAYS = 500000 };
@@ -192,27 +192,6 @@ typedef struct {
     exact t[CASES];   // the true t; NO_HIT: a true miss
     hit_function hit; // for the clock
 } cases;
-
-static vec3 in_cube(rng *g) {
-    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
-    return (vec3){x, y, z};
-}
-
-typedef struct {
-    exact x, y, z;
-} exact3;
-
-static exact3 exact_sub(vec3 a, vec3 b) {
-    return (exact3){(exact)a.x - b.x, (exact)a.y - b.y, (exact)a.z - b.z};
-}
-
-static exact3 exact_cross(exact3 a, exact3 b) {
-    return (exact3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static exact exact_dot(exact3 a, exact3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 
 static exact reference(triangle T, ray r) {
     const exact3 d = {r.d.x, r.d.y, r.d.z}, s = exact_sub(r.O, T.p1);

@@ -3,15 +3,10 @@
 #include <string.h>
 
 #include "chapters/06-bounce/bounce.h"
-#include "common/measure.h"
+#include "common/exact3.h"
 #include "common/wide3.h"
 
 enum { CASES = 4096, ROUNDS = 9 };
-
-static vec3 in_cube(rng *g) {
-    const real x = 2 * rng_real(g) - 1, y = 2 * rng_real(g) - 1, z = 2 * rng_real(g) - 1;
-    return (vec3){x, y, z};
-}
 
 static double wide_length(vec3 v) {
     return sqrt(wide_dot(widen(v), widen(v)));
