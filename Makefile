@@ -213,8 +213,8 @@ $B/same_picture: $B/obj/tests/tools/same_picture.o
 # The errors alone, in float and in double: the same to the digit everywhere.
 .PHONY: error-tables
 error-tables:
-	@$(MAKE) --no-print-directory REAL=float $(CHAPTERS:%=build/errors/%.float.csv)
-	@$(MAKE) --no-print-directory REAL=double $(CHAPTERS:%=build/errors/%.double.csv)
+	@$(MAKE) -s --no-print-directory REAL=float $(CHAPTERS:%=build/errors/%.float.csv)
+	@$(MAKE) -s --no-print-directory REAL=double $(CHAPTERS:%=build/errors/%.double.csv)
 	@$(foreach c,$(CHAPTERS),cat build/errors/$c.float.csv build/errors/$c.double.csv > build/errors/$c.csv;)
 build/errors/%.$(REAL).csv: $B/measure/%
 	@mkdir -p $(@D)
