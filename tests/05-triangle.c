@@ -33,9 +33,20 @@ static const char *called(hit_function f, const char *rest) {
     check_real(__FILE__, __LINE__, called(f, #args "." #part), (double)(f args).part, \
                (double)(expected), allowed)
 
+// `note` says what is special about them; it begins with a line break, or is "".
+static void given_special(triangle T, ray r, const char *note) {
+    given("triangle T = " VEC ", " VEC ", " VEC "\nray O = " VEC ", d = " VEC "%s", ARG(T.p1),
+          ARG(T.p2), ARG(T.p3), ARG(r.O), ARG(r.d), note);
+}
+
 static void given_triangle(triangle T, ray r) {
-    given("triangle " VEC ", " VEC ", " VEC "\nray O = " VEC ", d = " VEC, ARG(T.p1), ARG(T.p2),
-          ARG(T.p3), ARG(r.O), ARG(r.d));
+    given_special(T, r, "");
+}
+
+static void check_miss(hit_function triangle_test, triangle T, ray r, real t_min,
+                       const char *note) {
+    given_special(T, r, note);
+    CHECK_TEST(triangle_test, (T, r, t_min, NO_HIT), t, NO_HIT, exactly());
 }
 
 // ---- the reference --------------------------------------------------------------
@@ -115,11 +126,16 @@ static void inside_worked_out(void) {
     check_inside(by_hand, -0.25f, 1.5f, false);
 }
 
+// On each edge and corner, and a little outside of it.
 static void inside_border(void) {
     const real uv[][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5f, 0}, {0, 0.25f}, {0.5f, 0.5f}};
+    const real outside[][2] = {{-0.125f, -0.125f}, {1.25f, -0.125f}, {-0.125f, 1.25f},
+                               {0.5f, -0.125f},    {-0.125f, 0.25f}, {0.625f, 0.5f}};
     for (int i = 0; i < COUNT(uv); i++) {
         check_inside(by_hand, uv[i][0], uv[i][1], true);
         check_inside(tilted, uv[i][0], uv[i][1], true);
+        check_inside(by_hand, outside[i][0], outside[i][1], false);
+        check_inside(tilted, outside[i][0], outside[i][1], false);
     }
 }
 
@@ -169,27 +185,39 @@ static void inside_every_plane(void) {
 // ---- moller_trumbore and watertight_hit -------------------------------------------------
 
 // u = v = 1/4 of by_hand is (2, 1.5, 3); O = that - 2 d.
-static void worked_out(hit_function triangle_test) {
+static void worked_out_t(hit_function triangle_test) {
+    const triangle T = by_hand, turned = {T.p1, T.p3, T.p2};
     const ray r = {{0, -0.5f, 7}, {1, 1, -2}};
-    given("triangle " VEC ", " VEC ", " VEC "\nray O = " VEC ", d = " VEC
-          "\n(by hand: n = (8, -16, 16), det = 40, u = v = 1/4, t = 80 / 40)",
-          ARG(by_hand.p1), ARG(by_hand.p2), ARG(by_hand.p3), ARG(r.O), ARG(r.d));
+    given_special(T, r, "\nby hand: n = (8, -16, 16), det = 40, u = v = 10 / 40, t = 80 / 40");
     suspect_value("the distance |t d|: t counts in |d|", 2 * sqrt(6.0));
     suspect_value("t times det: the division is missing", 80);
     suspect_value("minus t: det, or s = O - p1, the wrong way round", -2);
-    CHECK_TEST(triangle_test, (by_hand, r, -NO_HIT, NO_HIT), t, 2, exactly());
-    const ray off = {{1, -0.5f, 7}, {1, 1, -2}}; // meets the plane at (2.857, 1.357, 3.286)
-    const truth want = exact_hit(by_hand, off);
-    given_triangle(by_hand, off);
+    suspect_value(
+        "a miss: det or s = O - p1 the wrong way round, or u and v not divided by det?",
+        (double)NO_HIT);
+    CHECK_TEST(triangle_test, (T, r, -NO_HIT, NO_HIT), t, 2, exactly());
+    given_special(turned, r,
+                  "\nby hand: the back; det = -40, u = v = -10 / -40, t = -80 / -40");
+    suspect_value("a miss: both sides are hit, and det < 0 is the back", (double)NO_HIT);
+    CHECK_TEST(triangle_test, (turned, r, 0, NO_HIT), t, 2, exactly());
+}
+
+static void worked_out(hit_function triangle_test) {
+    worked_out_t(triangle_test);
+    const triangle T = by_hand;
+    const ray r = {{1, -0.5f, 7}, {1, 1, -2}}; // meets the plane at (3.2, 1.7, 2.6)
+    const char *second = "\nby hand: det = 40, u = 22 / 40, v = 6 / 40, t = 88 / 40";
+    const truth want = exact_hit(T, r);
+    given_special(T, r, second);
     suspect_value("v: are u and v exchanged?", (double)want.v);
     suspect_value("the weight of p1: u belongs to p2", (double)(1 - want.u - want.v));
-    CHECK_TEST(triangle_test, (by_hand, off, 0, NO_HIT), u, want.u,
-               roundings(2, "double inside"));
-    given_triangle(by_hand, off);
+    suspect_value("u times det: the division is missing", (double)want.u * 40);
+    CHECK_TEST(triangle_test, (T, r, 0, NO_HIT), u, want.u, roundings(2, "double inside"));
+    given_special(T, r, second);
     suspect_value("u: are u and v exchanged?", (double)want.u);
     suspect_value("the weight of p1: v belongs to p3", (double)(1 - want.u - want.v));
-    CHECK_TEST(triangle_test, (by_hand, off, 0, NO_HIT), v, want.v,
-               roundings(2, "double inside"));
+    suspect_value("v times det: the division is missing", (double)want.v * 40);
+    CHECK_TEST(triangle_test, (T, r, 0, NO_HIT), v, want.v, roundings(2, "double inside"));
 }
 
 static void check_truth(hit_function triangle_test, triangle T, ray r, double condition) {
@@ -249,6 +277,10 @@ static void interval(hit_function triangle_test) {
     given_triangle(wide, near);
     suspect_value("t compared before it was rounded to real: it comes back as t_min", 4);
     CHECK_TEST(triangle_test, (wide, near, 4, 5), t, NO_HIT, exactly());
+    const ray nearer = {{1, 2, (real)(-REAL_EPSILON / 16)}, {0, 0, -1}};
+    given_triangle(wide, nearer);
+    suspect_value("t compared before it was rounded to real: it comes back as t_max", 4);
+    CHECK_TEST(triangle_test, (wide, nearer, 3, 4), t, NO_HIT, exactly());
     const ray behind = {{0, -0.5f, 7}, {-1, -1, 2}};
     given_triangle(by_hand, behind);
     CHECK_TEST(triangle_test, (by_hand, behind, 0, NO_HIT), t, NO_HIT, exactly());
@@ -263,12 +295,13 @@ static void both_sides(hit_function triangle_test) {
         generic(&g, usual, &T, &r);
         const triangle turned = {T.p1, T.p3, T.p2};
         const triangle_point q = triangle_test(T, r, 0, NO_HIT);
-        const triangle_point b = triangle_test(turned, r, 0, NO_HIT);
         if (fabs(exact_hit(T, r).margin) < 1e-9) continue;
-        given_triangle(turned, r);
-        CHECK_REAL(b.t, q.t, relative_to(in_float ? 1.2e-7 : 4e-12, "one rounding in each"));
+        given_special(turned, r, "\nwith p2 and p3 exchanged t stays, and u becomes v");
+        CHECK_TEST(triangle_test, (turned, r, 0, NO_HIT), t, q.t,
+                   relative_to(in_float ? 1.2e-7 : 4e-12, "one rounding in each"));
         if (q.t == NO_HIT) continue;
-        CHECK_REAL(b.u, q.v, absolute_of(1e3 * REAL_EPSILON, "rounded weights"));
+        CHECK_TEST(triangle_test, (turned, r, 0, NO_HIT), u, q.v,
+                   absolute_of(1e3 * REAL_EPSILON, "rounded weights"));
     }
 }
 
@@ -375,37 +408,26 @@ static void zero_area(hit_function triangle_test) {
 }
 
 static void not_crossing(hit_function triangle_test) {
-    given("a ray in the plane of the triangle (1, 0, 2), (5, 2, 2), (1, 4, 6), through it");
-    const vec3 middle = at(by_hand, 0.25f, 0.25f), along = sub(by_hand.p3, by_hand.p2);
-    CHECK_TEST(triangle_test, (by_hand, (ray){sub(middle, along), along}, 0, NO_HIT), t, NO_HIT,
-               exactly());
-    given("a ray along the edge from p1 to p2 of that triangle");
-    CHECK_TEST(triangle_test, (by_hand, (ray){{-3, -2, 2}, {4, 2, 0}}, 0, NO_HIT), t, NO_HIT,
-               exactly());
-    given("a ray parallel to the triangle, above it");
-    const vec3 above = add(middle, (vec3){0, 0, 1});
-    CHECK_TEST(triangle_test, (by_hand, (ray){sub(above, along), along}, 0, NO_HIT), t, NO_HIT,
-               exactly());
-    given("d = 0, with O in the triangle and outside it");
-    CHECK_TEST(triangle_test, (by_hand, (ray){middle, {0, 0, 0}}, -1, NO_HIT), t, NO_HIT,
-               exactly());
-    CHECK_TEST(triangle_test, (by_hand, (ray){above, {0, 0, 0}}, -1, NO_HIT), t, NO_HIT,
-               exactly());
+    const triangle T = by_hand;
+    const vec3 middle = at(T, 0.25f, 0.25f), along = sub(T.p3, T.p2);
+    const vec3 above = add(middle, (vec3){0, 0, 1}), zero = {0, 0, 0};
+    const ray inside = {sub(middle, along), along}, edge = {{-3, -2, 2}, {4, 2, 0}};
+    const ray parallel = {sub(above, along), along};
+    check_miss(triangle_test, T, inside, 0, "\nin the plane of T, through its middle");
+    check_miss(triangle_test, T, edge, 0, "\nalong the edge from p1 to p2");
+    check_miss(triangle_test, T, parallel, 0, "\nparallel to the plane of T, above it");
+    check_miss(triangle_test, T, (ray){middle, zero}, -1, "\nO lies in T");
+    check_miss(triangle_test, T, (ray){above, zero}, -1, "\nO lies above T");
 }
 
 static void not_a_number(hit_function triangle_test) {
     const real nan = (real)NAN;
+    const triangle T = by_hand, bad = {T.p1, {nan, 2, 2}, T.p3};
     const ray good = {{0, -0.5f, 7}, {1, 1, -2}};
-    given("triangle (1, 0, 2), (5, 2, 2), (1, 4, 6); O.y, d.y, or all of d not a number");
-    CHECK_TEST(triangle_test, (by_hand, (ray){{0, nan, 7}, good.d}, 0, NO_HIT), t, NO_HIT,
-               exactly());
-    CHECK_TEST(triangle_test, (by_hand, (ray){good.O, {1, nan, -2}}, 0, NO_HIT), t, NO_HIT,
-               exactly());
-    CHECK_TEST(triangle_test, (by_hand, (ray){good.O, {nan, nan, nan}}, 0, NO_HIT), t, NO_HIT,
-               exactly());
-    given("a triangle with a corner that is not a number");
-    const triangle T = {by_hand.p1, {nan, 2, 2}, by_hand.p3};
-    CHECK_TEST(triangle_test, (T, good, 0, NO_HIT), t, NO_HIT, exactly());
+    check_miss(triangle_test, T, (ray){{0, nan, 7}, good.d}, 0, "");
+    check_miss(triangle_test, T, (ray){good.O, {1, nan, -2}}, 0, "");
+    check_miss(triangle_test, T, (ray){good.O, {nan, nan, nan}}, 0, "");
+    check_miss(triangle_test, bad, good, 0, "");
 }
 
 // Rays along the axes, in each of which two components of d are 0.
@@ -606,7 +628,7 @@ static void moved(void) {
         const triangle M = {add(rotated(axes, T.p1), there), add(rotated(axes, T.p2), there),
                             add(rotated(axes, T.p3), there)};
         const ray s = {add(rotated(axes, r.O), there), rotated(axes, r.d)};
-        given("a triangle and a ray, both rotated and moved: t must stay");
+        given_special(M, s, "\nboth were rotated and moved: t must stay");
         CHECK_REAL(triangle_hit(M, s, 0, NO_HIT).t, want.hit ? (double)want.t : (double)NO_HIT,
                    absolute_of(4e3 * REAL_EPSILON, "the moved coordinates are rounded"));
     }
@@ -621,11 +643,12 @@ static void scaled(void) {
         const triangle_point q = triangle_hit(T, r, 0, NO_HIT);
         const real k = (real)ldexp(1, (int)(rng_bits(&g) % 81) - 40);
         const triangle M = {scale(k, T.p1), scale(k, T.p2), scale(k, T.p3)};
-        given("everything %g times as large: t, u and v must stay, to the last bit", (double)k);
-        CHECK_REAL(triangle_hit(M, (ray){scale(k, r.O), scale(k, r.d)}, 0, NO_HIT).t, q.t,
-                   exactly());
-        given("d alone %g times as long: t must be 1/%g of it", (double)k, (double)k);
-        CHECK_REAL(triangle_hit(T, (ray){r.O, scale(k, r.d)}, 0, NO_HIT).t, q.t / k, exactly());
+        const ray m = {scale(k, r.O), scale(k, r.d)}, faster = {r.O, scale(k, r.d)};
+        given_special(M, m, "\nall multiplied by a power of 2: t must stay, to the last bit");
+        CHECK_REAL(triangle_hit(M, m, 0, NO_HIT).t, q.t, exactly());
+        given_special(T, faster,
+                      "\nd multiplied by a power of 2, and so t must be divided by it");
+        CHECK_REAL(triangle_hit(T, faster, 0, NO_HIT).t, q.t / k, exactly());
     }
 }
 
@@ -877,9 +900,11 @@ int main(void) {
         "Edges and corners belong to the triangle: what is the test when a weight is 0?";
     static const char *const orientation =
         "Both sides are hit: is the sign of your determinant or areas taken into account?";
-    static const char *const only_zero = "Only a determinant of exactly 0 misses: a threshold "
-                                         "loses small triangles and short d.";
-    static const char *const double_inside = "Float products cancel here. Compute in double.";
+    static const char *const only_zero =
+        "Do the generic rays pass? Only a determinant of exactly 0 misses: a threshold "
+        "loses small triangles and short d.";
+    static const char *const double_inside =
+        "Do the generic rays pass? Float products cancel here. Compute in double.";
     static const char *const relative = "Subtract O or p1 first, in double: wide_sub.";
     static const char *const no_area =
         "Corners on one line: is the normal in double exactly 0? triangle_has_area tells.";
@@ -896,7 +921,7 @@ int main(void) {
         {"point_in_triangle: beyond the corners", inside_beyond,
          "On the line through an edge its cross product is 0: the other two must decide."},
         {"point_in_triangle: in every plane", inside_every_plane,
-         "Two coordinates are not enough in every plane: compare directions with n."},
+         "Do the tests before pass? Then: two coordinates are not enough in every plane."},
         {"moller_trumbore: worked out by hand", mt_worked_out, solve},
         {"moller_trumbore: 20000 generic rays", mt_generic_rays, solve},
         {"moller_trumbore: u and v give the point", mt_reproduces, solve},

@@ -124,7 +124,8 @@ static const choice pictures[] = {
     {"triangles", "the triangles of 01-rasterize, traced: the same pixels"},
     {"barycentric", "the weights of the corners as red, green and blue"},
     {"mesh", "a torus: flat to the left, smooth to the right"},
-    {"leaks", "the inside test at a shared corner, 200000 times magnified; red: a gap"},
+    {"leaks",
+     "the inside test at a shared corner, 200000 times magnified; red: a gap, blue: two"},
     {"sealed", "the same with triangle_hit"},
     {0},
 };

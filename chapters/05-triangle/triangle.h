@@ -23,9 +23,10 @@ bool triangle_has_area(triangle T);
 // arithmetic. Leaks between triangles (the chapter measures how much).
 triangle_point triangle_hit_slide(triangle T, ray r, real t_min, real t_max);
 
-// The nearest hit with t_min < t < t_max. Edges and corners belong to the
-// triangle; zero area is never hit; both sides are. The variant that the
-// chapter's measurements justify: watertight_hit.
+// The nearest hit with t_min < t < t_max, where t is rounded to real before it is
+// compared. Edges and corners belong to the triangle; zero area is never hit, nor
+// is a NaN; both sides are. The variant that the chapter's measurements justify:
+// watertight_hit.
 triangle_point triangle_hit(triangle T, ray r, real t_min, real t_max);
 
 hit triangle_surface(triangle T, ray r, triangle_point q);

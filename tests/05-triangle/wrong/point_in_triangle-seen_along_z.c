@@ -1,5 +1,5 @@
 // Wrong: x and y alone decide, so that a triangle in a plane of the z axis is a line.
-// Expect: Two coordinates are not enough in every plane
+// Expect: two coordinates are not enough in every plane
 #include "chapters/05-triangle/triangle.h"
 
 static real side(vec3 a, vec3 b, vec3 p) {
