@@ -20,6 +20,11 @@ bool runner_flag(const char *name) {
     return value && strcmp(value, "0") != 0;
 }
 
+rng check_rng(uint64_t stream) {
+    const char *seed = runner_setting("SEED");
+    return rng_seed(seed ? strtoull(seed, NULL, 10) : 1, stream);
+}
+
 _Noreturn void runner_die(const char *what) {
     fprintf(stderr, "error: the test runner cannot %s: %s\n", what, strerror(errno));
     exit(EXIT_FAILURE);

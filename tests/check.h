@@ -20,10 +20,12 @@
 // failed check ends its test. Once a test did not come back, the others of its
 // exercise are not run and count as failed. Environment: T=text runs only the tests
 // whose name contains text, TAP=1 prints TAP, JUNIT=file writes JUnit XML,
-// TALLY=file appends "passed failed todo", TEST_SECONDS=n changes the limit.
+// TALLY=file appends "passed failed todo", TEST_SECONDS=n changes the limit,
+// SEED=n the random numbers.
 #ifndef TESTS_CHECK_H
 #define TESTS_CHECK_H
 
+#include "common/rng.h"
 #include "common/vec3.h"
 
 typedef struct {
@@ -31,6 +33,10 @@ typedef struct {
     void (*run)(void);
     const char *hint; // shown when the answer is wrong, not when there is none
 } test;
+
+// A generator for a test's data and its draws, one for each stream. SEED=n in the
+// environment gives other numbers: what a test claims must hold for any.
+rng check_rng(uint64_t stream);
 
 // Runs the suite and prints a line per test, then "N passed, N failed". Returns
 // the exit status: 0 when all passed, 1 otherwise (a todo is not a pass).
