@@ -41,7 +41,7 @@ static nearest try_meshes(const scene *sc, ray r, real t_min, nearest best) {
     return best;
 }
 
-hit scene_hit(const scene *sc, ray r, real t_min, real t_max, const material **m) {
+hit scene_nearest(const scene *sc, ray r, real t_min, real t_max, int *body) {
     nearest best = {NOTHING, 0, 0, {t_max, 0, 0}};
     best = try_spheres(sc, r, t_min, best);
     best = try_planes(sc, r, t_min, best);
@@ -49,17 +49,31 @@ hit scene_hit(const scene *sc, ray r, real t_min, real t_max, const material **m
     const int i = best.index;
     switch (best.kind) {
     case SPHERE:
-        *m = &sc->sphere_materials[i];
+        *body = i;
         return sphere_surface(sc->spheres[i], r, best.at.t);
     case PLANE:
-        *m = &sc->plane_materials[i];
+        *body = sc->sphere_count + i;
         return plane_surface(sc->planes[i], r, best.at.t);
     case TRIANGLE:
-        *m = &sc->mesh_materials[i];
+        *body = sc->sphere_count + sc->plane_count + i;
         return triangle_surface(mesh_triangle(&sc->meshes[i], best.corner), r, best.at);
     default:
         return (hit){.t = NO_HIT};
     }
+}
+
+static const material *material_of(const scene *sc, int body) {
+    if (body < sc->sphere_count) return &sc->sphere_materials[body];
+    body -= sc->sphere_count;
+    if (body < sc->plane_count) return &sc->plane_materials[body];
+    return &sc->mesh_materials[body - sc->plane_count];
+}
+
+hit scene_hit(const scene *sc, ray r, real t_min, real t_max, const material **m) {
+    int body = 0;
+    const hit h = scene_nearest(sc, r, t_min, t_max, &body);
+    if (h.t != NO_HIT) *m = material_of(sc, body);
+    return h;
 }
 
 // ---- the bounce ----------------------------------------------------------------

@@ -43,7 +43,11 @@ typedef struct {
 color clear_sky(vec3 d);
 
 // The nearest hit with t_min < t < t_max of everything in the scene; t = NO_HIT
-// on a miss. *m is its material, untouched on a miss.
+// on a miss. *body is the number of what was hit, untouched on a miss: the spheres are
+// counted first, then the planes, then the meshes.
+hit scene_nearest(const scene *sc, ray r, real t_min, real t_max, int *body);
+
+// The same, with the material of what was hit, *m, untouched on a miss.
 hit scene_hit(const scene *sc, ray r, real t_min, real t_max, const material **m);
 
 // The reflected share at the point p: the slide's F.

@@ -1,0 +1,5 @@
+#include "chapters/07-rendering-equation/rendering.h"
+
+double lambert_brdf(double rho) {
+    return rho / PI;
+}
