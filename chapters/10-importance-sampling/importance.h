@@ -1,0 +1,127 @@
+// importance.h: directions chosen where the light is, and the densities that belong to them.
+#ifndef CHAPTER_IMPORTANCE_H
+#define CHAPTER_IMPORTANCE_H
+
+#include "chapters/10-importance-sampling/ggx.h"
+
+// Two unit vectors s, t that make a right-handed frame with the unit normal n: s x t = n.
+// For any n, also (0, 0, -1). Source: Duff et al. 2017.
+typedef struct {
+    vec3 s, t, n;
+} frame;
+frame orthonormal_basis(vec3 n);
+vec3 to_local(frame f, vec3 v);
+vec3 to_world(frame f, vec3 v);
+
+// ---- surfaces --------------------------------------------------------------------
+
+typedef enum { LAMBERT, GGX } lobe;
+
+typedef struct {
+    lobe lobe;
+    color albedo;    // LAMBERT: rho; GGX: the reflectance straight on, F0
+    color emittance; // L_e of the front side
+    real alpha;      // GGX: the roughness, 0.001 to 1
+} surface;
+
+// n is unit, on the side of o; o and v are unit and point away from the surface.
+// f_r(v, o) in 1/sr; black unless n·o > 0 and n·v > 0.
+color surface_brdf(const surface *m, vec3 n, vec3 o, vec3 v);
+
+// The density with which surface_scatter chooses v.
+real surface_probability(const surface *m, vec3 n, vec3 o, vec3 v);
+
+typedef struct {
+    vec3 v;       // the direction, unit
+    color weight; // f_r (n·v) / p
+    real p;       // its density per steradian; 0: the path ends
+} scattered;
+scattered surface_scatter(const surface *m, vec3 n, vec3 o, rng *g);
+
+// ---- lamps -----------------------------------------------------------------------
+
+// A body that shines and can be aimed at: a sphere or a mesh.
+typedef struct {
+    int body;          // as scene_nearest numbers it
+    const sphere *S;   // or NULL
+    const mesh *m;     // or NULL
+    const real *areas; // of a mesh: the area of triangles 0 .. i together
+} lamp;
+
+typedef struct {
+    lamp *lamps;
+    int count;
+    const int *of_body; // which lamp a body is; -1: none
+} lamps;
+
+// Finds what shines. Free it with lamps_free.
+lamps lamps_find(const scene *bodies, const surface *surfaces);
+void lamps_free(lamps *all);
+
+// A point of a lamp, as seen from x.
+typedef struct {
+    int body; // -1: there is none to be seen from x
+    hit on;   // the point; on.t is the distance
+    vec3 v;   // the direction, unit
+    real p;   // its density per steradian at x
+} aim;
+aim lamps_aim(const lamps *all, vec3 x, rng *g);
+
+// The density with which lamps_aim chooses v at x, when the ray (x, v) meets the body at h;
+// 0 for what is no lamp.
+real lamps_probability(const lamps *all, int body, vec3 x, vec3 v, hit h);
+
+// Is anything between the points of the ray with 0 < t < t_max?
+bool scene_blocked(const scene *sc, ray r, real t_max);
+
+// ---- the path tracer ---------------------------------------------------------------
+
+typedef enum {
+    BY_UNIFORM, // as in chapter 09
+    BY_BRDF,    // where the surface sends most
+    BY_LAMPS,   // where the lamps are; the path goes on by the BRDF
+    BY_BALANCE, // both, balance heuristic
+    BY_POWER,   // both, power heuristic
+} strategy;
+
+typedef struct {
+    scene bodies;
+    const surface *surfaces; // one for each body
+    lamps lamps;
+    strategy strategy;
+} lit_room;
+
+// A path_tracer for lit rooms: the radiance that arrives along r after at most s bounces.
+color light_trace(const lit_room *sc, ray r, int s, rng *g);
+
+// p² / (p² + q²); Veach's power heuristic. p > 0, q >= 0; also where a square overflows.
+real power_heuristic(real p, real q);
+
+// Exercises: exercises/10-importance-sampling/ -------------------------------------
+
+// Density cos θ / π about the unit normal n: unit, v·n >= 0.
+vec3 cosine_direction(vec3 n, rng *g);
+
+// The density of cosine_direction at the unit vector v: 0 below the surface.
+real cosine_probability(vec3 n, vec3 v);
+
+// A unit direction from x, uniform in the cone in which the sphere is seen.
+// x lies outside; also for spheres that look tiny (r/|x - c| down to 1e-6).
+vec3 sphere_direction(sphere S, vec3 x, rng *g);
+
+// The density of sphere_direction: 1 / (2π (1 - cos θ_max)) in the cone, without
+// cancellation for small cones; 0 outside it and for x inside the sphere.
+real sphere_probability(sphere S, vec3 x, vec3 v);
+
+// A uniform point of the triangle: u, v of triangle_point (t is set to 0).
+triangle_point triangle_sample(triangle T, rng *g);
+
+// The density per steradian at x of a point y that was chosen uniformly on a surface of
+// this area with the unit normal n_y there: |y - x|² / (area |cos θ'|); INFINITY edge-on.
+real solid_angle_probability(vec3 x, vec3 y, vec3 n_y, real area);
+
+// The balance heuristic: the weight p / (p + q) of a sample that had the density p, and
+// would have had q by the other way. p > 0, q >= 0, INFINITY allowed for one of them.
+real balance_heuristic(real p, real q);
+
+#endif

@@ -1,0 +1,5 @@
+#include "chapters/10-importance-sampling/importance.h"
+
+real cosine_probability(vec3 n, vec3 v) {
+    return fmax(dot(n, v), 0) * (real)(1 / PI);
+}

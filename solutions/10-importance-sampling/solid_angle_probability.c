@@ -1,0 +1,8 @@
+#include "chapters/10-importance-sampling/importance.h"
+
+// |cos θ'| = |n_y·w| / |w|
+real solid_angle_probability(vec3 x, vec3 y, vec3 n_y, real area) {
+    const vec3 w = sub(y, x);
+    const real square = dot(w, w);
+    return square * sqrt(square) / (area * fabs(dot(n_y, w)));
+}
