@@ -11,13 +11,6 @@ static real heuristic(strategy how, real p, real q) {
     return how == BY_POWER ? power_heuristic(p, q) : balance_heuristic(p, q);
 }
 
-// Where a path is.
-typedef struct {
-    const surface *m;
-    hit h;
-    vec3 n, o; // n on the side of o, from where the path came
-} stop;
-
 // From the hit towards the lamp, both ends off their surfaces.
 static bool sees(const scene *sc, const stop *at, const aim *a) {
     const vec3 from = offset_origin(at->h.p, at->h.error, at->n, at->n);
@@ -26,7 +19,7 @@ static bool sees(const scene *sc, const stop *at, const aim *a) {
 }
 
 // The light of one point of one lamp, by way of the hit.
-static color direct_light(const lit_room *sc, const stop *at, rng *g) {
+color direct_light(const lit_room *sc, const stop *at, rng *g) {
     const color black = {0, 0, 0};
     const aim a = lamps_aim(&sc->lamps, at->h.p, g);
     if (a.body < 0 || !a.on.front || !(a.p > 0) || !isfinite(a.p)) return black;
@@ -41,7 +34,7 @@ static color direct_light(const lit_room *sc, const stop *at, rng *g) {
 
 // How much of a lamp's light counts when the path runs into it by itself: x is where it
 // came from, with the density p.
-static real share_of_hit(const lit_room *sc, int body, ray r, hit h, real p) {
+real share_of_hit(const lit_room *sc, int body, ray r, hit h, real p) {
     if (sc->strategy <= BY_BRDF || sc->lamps.of_body[body] < 0) return 1;
     if (sc->strategy == BY_LAMPS) return 0;
     return heuristic(sc->strategy, p, lamps_probability(&sc->lamps, body, r.O, r.d, h));
@@ -53,7 +46,7 @@ static scattered scatter_uniform(const surface *m, vec3 n, vec3 o, rng *g) {
     return (scattered){v, scale(dot(n, v) / p, surface_brdf(m, n, o, v)), p};
 }
 
-static color emitted_by(const surface *m, hit h) {
+color emitted_by(const surface *m, hit h) {
     return h.front ? m->emittance : (color){0, 0, 0};
 }
 

@@ -91,6 +91,25 @@ typedef struct {
     strategy strategy;
 } lit_room;
 
+// A path's stop at a surface.
+typedef struct {
+    const surface *m;
+    hit h;
+    vec3 n; // the surface's normal, on the side of o
+    vec3 o; // unit, to where the path came from
+} stop;
+
+// The emittance of the side that was hit.
+color emitted_by(const surface *m, hit h);
+
+// The light that comes from one random point of a lamp and is reflected at the stop to
+// o, weighted by the room's strategy. One sample; its mean is the light of all lamps.
+color direct_light(const lit_room *sc, const stop *at, rng *g);
+
+// How much of a lamp's light counts when the ray r runs into it by itself at h; p: the
+// density with which r's direction was chosen. 1 for what lamps_aim never aims at.
+real share_of_hit(const lit_room *sc, int body, ray r, hit h, real p);
+
 // A path_tracer for lit rooms: the radiance that arrives along r after at most s bounces.
 color light_trace(const lit_room *sc, ray r, int s, rng *g);
 

@@ -1,0 +1,12 @@
+#include "chapters/11-fresnel/fresnel.h"
+
+// With g = eta cos of the far side: r_s = (c - g)/(c + g) = -m/(c + g)², m = eta² - 1 =
+// g² - c², where nothing cancels; r_p = r_s (c g - sin²)/(c g + sin²).
+real fresnel_dielectric(real cosine, real eta) {
+    const double c = cosine, m = ((double)eta - 1) * ((double)eta + 1), g2 = m + c * c;
+    if (m == 0) return 0;
+    if (g2 <= 0) return 1;
+    const double g = sqrt(g2), sin2 = (1 - c) * (1 + c);
+    const double rs = m / ((c + g) * (c + g)), q = (c * g - sin2) / (c * g + sin2);
+    return (real)(rs * rs * (1 + q * q) / 2);
+}
