@@ -17,6 +17,7 @@
 #:
 #: For those who work on the course:
 #: make test-solutions-04   one chapter's tests on its solutions
+#: make seeds-09    one chapter's tests on its solutions with N=100 different seeds
 #: make check       tests, stubs, wrong answers, texts, pictures, staircase, format
 #: make texts       renew the measured tables and the pictures in the texts
 #: make format      lay out all C code
@@ -103,7 +104,7 @@ help:
 
 # $1 chapter (04-sphere), $2 its number (04)
 define chapter_rules
-.PHONY: $2 mine-$2 test-$2 test-solutions-$2 hint-$2 measure-$2
+.PHONY: $2 mine-$2 test-$2 test-solutions-$2 seeds-$2 hint-$2 measure-$2
 TESTED_$1 := $B/obj/tests/$1.o $(CHECK) $(call modules,$1) $(COMMON)
 
 $B/$1: $B/obj/chapters/$1/main.o $(call modules,$1) $(call solved,$1) $(COMMON)
@@ -134,6 +135,8 @@ test-$2: $(if $(filter $T,$(call exercises,$1)),$B/one/$1/$T,$B/test-mine/$1)
 	@SOLUTIONS=solutions/$1/ $$<
 test-solutions-$2: $B/test/$1
 	@$B/test/$1
+seeds-$2: $B/test/$1
+	@sh tests/tools/seeds.sh $$< $$(or $$N,100)
 hint-$2:
 	@sh tests/tools/hint.sh $1 "$$(or $$(N),1)" "$$(T)"
 
