@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "chapters/01-rasterize/rasterize.h"
 #include "common/die.h"
 #include "common/progress.h"
 #include "common/wide3.h"
@@ -21,7 +22,7 @@ static wide3 direction_of_view(vec3 eye, vec3 target) {
 }
 
 static real focal_in_pixels(real fov_degrees, int height) {
-    const real focal = (real)(height / 2.0 / tan(fov_degrees * PI / 360));
+    const real focal = focal_length(height, fov_degrees);
     if (!(fov_degrees > 0 && fov_degrees < 180 && isfinite(focal)))
         die(EXIT_RUN, "camera: a field of view of %g degrees: expected above 0 and below 180",
             (double)fov_degrees);
