@@ -1,0 +1,11 @@
+#include "chapters/08-monte-carlo/monte_carlo.h"
+
+// m - 1 + a draw just below 1 rounds to m, and u to 1.
+static double place(long square, double draw, long m) {
+    return fmin(((double)square + draw) / (double)m, 1 - DBL_EPSILON / 2);
+}
+
+point2 stratified_point(long i, long m, rng *g) {
+    const double a = rng_double(g), b = rng_double(g);
+    return (point2){place(i % m, a, m), place(i / m, b, m)};
+}
