@@ -20,8 +20,8 @@ static const plane walls[] = {
 };
 
 // A square, a little below the ceiling, that shines downwards.
-static const vec3 lamp_points[] = {V(-0.35, 1.98, -0.4), V(0.35, 1.98, -0.4),
-                                   V(0.35, 1.98, 0.3), V(-0.35, 1.98, 0.3)};
+static const vec3 lamp_points[] = {V(-0.5, 1.98, -0.6), V(0.5, 1.98, -0.6), V(0.5, 1.98, 0.4),
+                                   V(-0.5, 1.98, 0.4)};
 static const int lamp_corners[][3] = {{0, 1, 2}, {0, 2, 3}};
 static const mesh lamp = {lamp_points, NULL, lamp_corners, COUNT(lamp_corners)};
 
@@ -34,15 +34,15 @@ const scene box_bodies = {.spheres = balls,
 
 #define WHITE V(0.76, 0.75, 0.72)
 const matte box_surfaces[BOX_BODIES] = {
-    [BALL_LEFT] = {WHITE},
-    [BALL_RIGHT] = {V(0.85, 0.6, 0.2)},
-    [WALL_LEFT] = {V(0.63, 0.08, 0.06)},
-    [WALL_RIGHT] = {V(0.12, 0.42, 0.12)},
-    [WALL_FLOOR] = {WHITE},
-    [WALL_CEILING] = {WHITE},
-    [WALL_BACK] = {WHITE},
-    [WALL_FRONT] = {V(0, 0, 0)},
-    [LAMP] = {WHITE, V(14, 12, 9)},
+    [BALL_LEFT] = {.albedo = WHITE},
+    [BALL_RIGHT] = {.albedo = V(0.85, 0.6, 0.2)},
+    [WALL_LEFT] = {.albedo = V(0.63, 0.08, 0.06)},
+    [WALL_RIGHT] = {.albedo = V(0.12, 0.42, 0.12)},
+    [WALL_FLOOR] = {.albedo = WHITE},
+    [WALL_CEILING] = {.albedo = WHITE},
+    [WALL_BACK] = {.albedo = WHITE},
+    [WALL_FRONT] = {.albedo = V(0, 0, 0)},
+    [LAMP] = {.albedo = WHITE, .emittance = V(5.6, 4.8, 3.6)},
 };
 
 camera box_camera(int width, int height) {

@@ -13,18 +13,19 @@ color sky_light(const scene *bodies, vec3 d) {
 
 typedef color (*bounce_rule)(const room *sc, const matte *m, ray r, hit h, int s, rng *g);
 
-static color trace_with(bounce_rule bounce, const room *sc, ray r, int s, rng *g) {
+static color trace_with(bounce_rule bounced, const room *sc, ray r, int s, rng *g) {
     int body = 0;
     const hit h = scene_nearest(&sc->bodies, r, 0, NO_HIT, &body);
     if (h.t == NO_HIT) return sky_light(&sc->bodies, r.d);
-    return bounce(sc, &sc->surfaces[body], r, h, s, g);
+    return bounced(sc, &sc->surfaces[body], r, h, s, g);
 }
 
 color trace_ray(const room *sc, ray r, int s, rng *g) {
     return trace_with(bounce_ray, sc, r, s, g);
 }
 
-// n and the material come to BRDF too, though the slide leaves them out.
+// d is made a unit vector and n is turned towards it; s ends the recursion. The
+// slide does none of this, and yet its answer is wrong for the dot product alone.
 static color bounce_ray_slide(const room *sc, const matte *m, ray r, hit h, int s, rng *g) {
     if (s == 0) return emitted(m, h);
     const vec3 d = normalize(r.d), n = h.front ? h.n : neg(h.n);
@@ -42,9 +43,13 @@ color trace_ray_slide(const room *sc, ray r, int s, rng *g) {
 
 // ---- the end of a path -----------------------------------------------------------
 
-enum { SURE_BOUNCES = 3 };
+enum { SURE_BOUNCES = 3 };           // they carry most of the light
+static const real most = (real)0.95; // so that any path ends, after 20 more in the mean
 
+// By size, so that a negative weight, which is a mistake, is not hidden.
 real survival(color C, int bounce) {
-    if (bounce < SURE_BOUNCES) return 1;
-    return fmin(fmax(C.x, fmax(C.y, C.z)), (real)0.95);
+    const vec3 size = absolute(C);
+    const real largest = fmax(size.x, fmax(size.y, size.z));
+    if (bounce < SURE_BOUNCES) return largest == 0 ? 0 : 1;
+    return fmin(largest, most);
 }

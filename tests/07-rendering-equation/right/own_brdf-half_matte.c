@@ -1,0 +1,7 @@
+// Right: half matte, half a lobe.
+#include "chapters/07-rendering-equation/rendering.h"
+
+double own_brdf(double rho, double shine, vec3 n, vec3 w_i, vec3 w_o) {
+    const double along = fmax(0.0, (double)dot(neg(reflect(w_i, n)), w_o));
+    return lambert_brdf(rho / 2) + rho / 2 * (shine + 2) / (2 * PI) * pow(along, shine);
+}

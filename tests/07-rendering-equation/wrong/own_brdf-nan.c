@@ -1,0 +1,8 @@
+// Wrong: the power of a negative number.
+// Expect: a BRDF is never negative
+// Expect: NaN: 0/0
+#include "chapters/07-rendering-equation/rendering.h"
+
+double own_brdf(double rho, double shine, vec3 n, vec3 w_i, vec3 w_o) {
+    return rho * (shine + 2) / (2 * PI) * pow((double)dot(neg(reflect(w_i, n)), w_o), shine);
+}

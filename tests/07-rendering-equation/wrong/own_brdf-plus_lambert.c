@@ -1,0 +1,8 @@
+// Wrong: a matte part of rho and a lobe of rho: together up to twice as much.
+// Expect: no more light leaves than rho of what arrives
+#include "chapters/07-rendering-equation/rendering.h"
+
+double own_brdf(double rho, double shine, vec3 n, vec3 w_i, vec3 w_o) {
+    const double along = fmax(0.0, (double)dot(neg(reflect(w_i, n)), w_o));
+    return lambert_brdf(rho) + rho * (shine + 2) / (2 * PI) * pow(along, shine);
+}

@@ -1,0 +1,1213 @@
+// Tests of 09-path-tracer: directions, the bounce, the path as a loop, roulette, and
+// the furnace test; each mean against a closed form.
+#define _POSIX_C_SOURCE 200809L
+#include <string.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include "chapters/09-path-tracer/box.h"
+#include "common/exact3.h"
+#include "common/wide3.h"
+#include "tests/check.h"
+
+static const double false_alarm = 1e-6; // of a chi² test of a right answer
+
+#define GREY(a) ((color){(real)(a), (real)(a), (real)(a)})
+
+static vec3 generic_unit(rng *g) {
+    vec3 v;
+    do v = in_cube(g);
+    while (dot(v, v) < (real)0.01);
+    return normalize(v);
+}
+
+// Unit, perpendicular to the unit vector n.
+static vec3 perpendicular(vec3 n) {
+    const vec3 other = fabs(n.x) < (real)0.6 ? (vec3){1, 0, 0} : (vec3){0, 1, 0};
+    return normalize(cross(n, other));
+}
+
+static real between(rng *g, real low, real high) {
+    return low + (high - low) * rng_real(g);
+}
+
+static double wide_length(vec3 v) {
+    return sqrt(wide_dot(widen(v), widen(v)));
+}
+
+// For what is itself a statistic: `got` is within `slack` of the guess.
+static void suspect_about(const char *what, double got, double guess, double slack) {
+    if (fabs(got - guess) < slack) suspect_value(what, got);
+}
+
+static color white_sky(vec3 d) {
+    (void)d;
+    return (color){1, 1, 1};
+}
+
+// ---- hemisphere_direction ----------------------------------------------------------
+
+// The last ones defeat a basis that divides by 1 + n.z.
+static vec3 test_normal(int i, rng *g) {
+    const vec3 special[] = {{0, 0, 1}, {0, 0, -1}, {(real)1e-4, (real)2e-4, -1}};
+    return i < COUNT(special) ? normalize(special[i]) : generic_unit(g);
+}
+
+static void direction_differs(void) {
+    rng g = check_rng(1);
+    for (int i = 0; i < 20; i++) {
+        const vec3 n = generic_unit(&g), first = hemisphere_direction(n, &g);
+        int alike = 0;
+        for (int k = 0; k < 100; k++) {
+            const vec3 v = hemisphere_direction(n, &g);
+            alike += v.x == first.x && v.y == first.y && v.z == first.z;
+        }
+        given("n = " VEC ": the first draw is " VEC ", and %d of the next 100 are the same",
+              ARG(n), ARG(first), alike);
+        CHECK(alike < 50, "all draws are alike: is g used?");
+    }
+}
+
+static void direction_unit(void) {
+    rng g = check_rng(2);
+    long below = 0;
+    vec3 worst = {0, 0, 0}, worst_n = {0, 0, 0};
+    for (int i = 0; i < 300000; i++) {
+        const vec3 n = test_normal(i % 100, &g), v = hemisphere_direction(n, &g);
+        given("n = " VEC ": draw %d is " VEC, ARG(n), i + 1, ARG(v));
+        CHECK_REAL(wide_length(v), 1, roundings(10, "a unit vector"));
+        if (dot(v, n) >= 0) continue;
+        if (below++ == 0) worst = v, worst_n = n;
+    }
+    given("%ld of 300000 directions point into the surface; the first: " VEC " for n = " VEC
+          "%s",
+          below, ARG(worst), ARG(worst_n),
+          below > 100000 ? ". Half of them: the whole sphere, not the half above n" : "");
+    CHECK(below == 0, "every direction leaves the surface: v·n >= 0");
+}
+
+// The height of a uniform point of the half sphere is uniform (Archimedes).
+static void direction_mean(void) {
+    rng g = check_rng(3);
+    for (int i = 0; i < 8; i++) {
+        const vec3 n = test_normal(i, &g), across = perpendicular(n);
+        running height = {0}, aside = {0};
+        for (int k = 0; k < 50000; k++) {
+            const vec3 v = hemisphere_direction(n, &g);
+            running_add(&height, wide_dot(widen(v), widen(n)));
+            running_add(&aside, wide_dot(widen(v), widen(across)));
+        }
+        given("n = " VEC ": the mean cosine between n and 50,000 directions", ARG(n));
+        CHECK(height.max > height.min, "the draws differ: is g used?");
+        suspect_value("the density cos θ / π: Lambert's bounce of chapter 06, not uniform",
+                      2.0 / 3);
+        suspect_about("uniform over the whole sphere: those below the surface too", height.mean,
+                      0, 0.02);
+        suspect_value("uniform in the angle θ: crowded around n (dω = sin θ dθ dφ)", 2 / PI);
+        suspect_value("all in the lower half: which sign is turned round?", -0.5);
+        CHECK_REAL(height.mean, 0.5, standard_errors(5, running_standard_error(&height)));
+        given("n = " VEC ": the same, along " VEC ", which is perpendicular to n", ARG(n),
+              ARG(across));
+        CHECK_REAL(aside.mean, 0, standard_errors(5, running_standard_error(&aside)));
+    }
+}
+
+// chi² over cells of equal probability: the height above the surface is uniform in
+// [0, 1), and so is the angle about n.
+enum { BANDS = 8, SECTORS = 12, CELLS = BANDS * SECTORS };
+
+static double chi2_of(const long *cells, long count) {
+    double chi2 = 0;
+    const double expected = (double)count / CELLS;
+    for (int i = 0; i < CELLS; i++)
+        chi2 += (cells[i] - expected) * (cells[i] - expected) / expected;
+    return chi2;
+}
+
+static int cell_of(vec3 v, vec3 n, vec3 across) {
+    const double height = wide_dot(widen(v), widen(n));
+    const double x = wide_dot(widen(v), widen(across));
+    const double y = wide_dot(wide_cross(widen(n), widen(across)), widen(v));
+    const double turn = atan2(y, x) / (2 * PI) + 0.5;
+    const int band = (int)fmin(BANDS - 1, fmax(0, BANDS * height));
+    return band * SECTORS + (int)fmin(SECTORS - 1, SECTORS * turn);
+}
+
+static void direction_cells(void) {
+    rng g = check_rng(4);
+    const long count = 200000;
+    for (int i = 0; i < 6; i++) {
+        const vec3 n = test_normal(i, &g), across = perpendicular(n);
+        long cells[CELLS] = {0};
+        for (long k = 0; k < count; k++)
+            cells[cell_of(hemisphere_direction(n, &g), n, across)]++;
+        given("n = " VEC ": 200,000 directions counted in 8 x 12 cells of the height above the "
+              "surface and of the angle about n, all equally likely for 1/(2π)",
+              ARG(n));
+        CHECK_AT_MOST(chi2_of(cells, count), chi2_limit(CELLS - 1, false_alarm),
+                      "chi² that a right answer exceeds once in a million");
+    }
+}
+
+// The samples 2 (n·v) L of a wall with albedo 1: under a sky of 1 their variance is 1/3; under
+// a ball lamp straight above, of radius R at the height 3 R, 4/3 (1 - (8/9)^1.5) - 1/81.
+static void direction_variance(void) {
+    rng g = check_rng(5);
+    const double edge = sqrt(8.0 / 9); // the cosine at the lamp's rim
+    const vec3 n = generic_unit(&g);
+    running sky = {0}, lamp = {0};
+    for (int i = 0; i < 200000; i++) {
+        const double sample = 2 * wide_dot(widen(n), widen(hemisphere_direction(n, &g)));
+        const double of_lamp = sample > 2 * edge ? sample : 0;
+        running_add(&sky, (sample - 1) * (sample - 1));
+        running_add(&lamp, (of_lamp - 1.0 / 9) * (of_lamp - 1.0 / 9));
+    }
+    given("200,000 samples 2 (n·v) under a sky of 1: their mean squared distance from 1");
+    suspect_about("no spread: all directions have one cosine", sky.mean, 0, 1e-3);
+    CHECK_REAL(sky.mean, 1.0 / 3, standard_errors(5, running_standard_error(&sky)));
+    given("the same under a ball lamp of radius 1 at the height 3: from its mean, 1/9");
+    CHECK_REAL(lamp.mean, 4.0 / 3 * (1 - edge * edge * edge) - 1.0 / 81,
+               standard_errors(5, running_standard_error(&lamp)));
+}
+
+// ---- what a bunch of paths brings ----------------------------------------------------
+
+typedef struct {
+    running red, green, blue;
+    long black, bad; // samples that are 0; that are negative or not finite
+} light;
+
+static void light_add(light *all, color L) {
+    running_add(&all->red, (double)L.x);
+    running_add(&all->green, (double)L.y);
+    running_add(&all->blue, (double)L.z);
+    all->black += L.x == 0 && L.y == 0 && L.z == 0;
+    all->bad += !(is_finite(L) && L.x >= 0 && L.y >= 0 && L.z >= 0);
+}
+
+static light paths(path_tracer f, const room *sc, ray r, int s, long n, rng *g) {
+    light all = {0};
+    for (long i = 0; i < n; i++) light_add(&all, f(sc, r, s, g));
+    return all;
+}
+
+static vec3 mean_of(const light *all) {
+    return (vec3){(real)all->red.mean, (real)all->green.mean, (real)all->blue.mean};
+}
+
+// Five standard errors of each colour, and what rounding may add to an exact answer.
+static void check_means(const light *all, color truth) {
+    const running *means[] = {&all->red, &all->green, &all->blue};
+    const real truths[] = {truth.x, truth.y, truth.z};
+    for (int i = 0; i < 3; i++) {
+        const double rounding = 8 * (double)REAL_EPSILON * (double)truths[i];
+        CHECK_REAL(means[i]->mean, truths[i],
+                   standard_errors(5, running_standard_error(means[i]) + rounding));
+    }
+    CHECK(all->bad == 0, "every sample is finite and none is negative");
+}
+
+// ---- scenes with closed forms --------------------------------------------------------
+
+// A place, three axes and a size, so that no scene lies along x, y, z.
+typedef struct {
+    vec3 O, x, y, z;
+    real size;
+} frame;
+
+static frame some_frame(real far, real size, rng *g) {
+    const vec3 y = generic_unit(g), x = perpendicular(y);
+    return (frame){scale(far * size, generic_unit(g)), x, y, cross(x, y), size};
+}
+
+static vec3 along(const frame *F, vec3 v) {
+    return add(scale(F->size * v.x, F->x),
+               add(scale(F->size * v.y, F->y), scale(F->size * v.z, F->z)));
+}
+
+static vec3 place(const frame *F, vec3 p) {
+    return add(F->O, along(F, p));
+}
+
+// A ray of the length `reach` times the distance, from p to q, both in the frame.
+static ray from_to(const frame *F, vec3 p, vec3 q, real reach) {
+    const vec3 O = place(F, p);
+    return (ray){O, scale(reach, sub(place(F, q), O))};
+}
+
+static const color tint = {(real)0.25, (real)0.5, (real)0.75};
+
+typedef struct {
+    sphere ball;
+    matte skin;
+    room sc;
+} lone_ball;
+
+// A ball of radius 1.25 of the frame in a sky of 1.
+static void lone_ball_at(lone_ball *b, const frame *F, matte skin) {
+    b->ball = (sphere){F->O, (real)1.25 * F->size};
+    b->skin = skin;
+    b->sc = (room){{.spheres = &b->ball, .sphere_count = 1, .sky = white_sky}, &b->skin};
+}
+
+// Meets the ball where its normal is y, at the angle θ.
+static ray arriving_at(const frame *F, double theta, real reach) {
+    const vec3 p = {0, (real)1.25, 0};
+    const vec3 from = {(real)sin(theta), (real)cos(theta), 0};
+    return from_to(F, add(p, scale(2, from)), p, reach);
+}
+
+// The furnace: a convex body of albedo a in a sky of 1 sends out a.
+static void furnace_of(path_tracer f, uint64_t stream) {
+    rng g = check_rng(stream);
+    const double degrees[] = {45, 10, 80};
+    for (int i = 0; i < 3 * COUNT(degrees); i++) {
+        const double theta = degrees[i % COUNT(degrees)] * PI / 180;
+        const frame F = some_frame(3, (real)pow(10, i / 3 - 1), &g);
+        lone_ball b;
+        lone_ball_at(&b, &F, (matte){.albedo = tint});
+        const real reach = i % 2 ? (real)0.2 : 7;
+        const ray r = arriving_at(&F, theta, reach);
+        const double d = wide_length(r.d);
+        const light all = paths(f, &b.sc, r, 1 + i % 4, 40000, &g);
+        const bool spread = all.green.max - all.green.min > 1e-3;
+        given("a ball of albedo (0.25, 0.5, 0.75) in a sky of 1, seen at %g degrees; |d| = "
+              "%.3g, s = %d: the mean of 40,000 paths, %ld of which are negative",
+              theta * 180 / PI, d, 1 + i % 4, all.bad);
+        const double slip = -cos(theta);
+        suspect_factor("dot(d, v) in place of dot(n, v): the slide's slip", slip);
+        suspect_factor("dot(d, v) in place of dot(n, v), and d not of unit length", slip * d);
+        suspect_factor("|dot(d, v)| in place of dot(n, v)", -slip);
+        suspect_factor(spread ? "the density 1/(4π) of the whole sphere, not 1/(2π)"
+                              : "the cosine n·v is missing",
+                       2);
+        suspect_factor("the BRDF of Lambert is albedo/π: its π is missing", PI);
+        suspect_factor("not divided by the probability 1/(2π)", 1 / (2 * PI));
+        suspect_factor("multiplied by the probability in place of divided", 1 / (4 * PI * PI));
+        suspect_factor("π and 2: the BRDF's π and the density's 2 are missing", 2 * PI);
+        suspect_vec3("the light of the sky, unfiltered by the ball", (vec3){1, 1, 1});
+        suspect_vec3("the albedo squared: it counts twice", mul(tint, tint));
+        CHECK_VEC3(mean_of(&all), tint,
+                   standard_errors(5, running_standard_error(&all.blue) * 1.3 + 1e-6));
+        check_means(&all, tint);
+    }
+}
+
+// The ball shines as well: e + a.
+static void shining_ball(path_tracer f, uint64_t stream) {
+    rng g = check_rng(stream);
+    const color e = {(real)0.7, (real)1.3, (real)2.9};
+    for (int i = 0; i < 4; i++) {
+        const frame F = some_frame(2, 1, &g);
+        lone_ball b;
+        lone_ball_at(&b, &F, (matte){tint, e});
+        const ray r = arriving_at(&F, 0.9, 2);
+        given("a ball of albedo a = (0.25, 0.5, 0.75) that shines with the radiance (0.7, 1.3, "
+              "2.9), in a sky of 1; s = %d",
+              i);
+        suspect_vec3("no emission at all", i == 0 ? (vec3){0, 0, 0} : tint);
+        suspect_vec3("the emission filtered by the albedo: C is coloured before it collects",
+                     mul(tint, e));
+        if (i == 0) {
+            CHECK_VEC3(f(&b.sc, r, 0, &g), e, exactly());
+            continue;
+        }
+        const light all = paths(f, &b.sc, r, i, 20000, &g);
+        given("the same ball and sky, s = %d: the mean of 20,000 paths", i);
+        suspect_vec3("the emission is missing", tint);
+        suspect_vec3("the emission counts twice", add(tint, scale(2, e)));
+        suspect_vec3("the emission filtered by the albedo: C is coloured before it collects",
+                     add(tint, mul(tint, e)));
+        suspect_vec3("the emission alone: the bounce is missing", e);
+        CHECK_VEC3(mean_of(&all), add(e, tint),
+                   standard_errors(5, running_standard_error(&all.blue) * 1.3 + 1e-6));
+        check_means(&all, add(e, tint));
+    }
+}
+
+// 1 on one side of this plane, an eighth on the other.
+static const vec3 slanted = {(real)0.48, (real)0.6, (real)0.64};
+
+static color two_skies(vec3 d) {
+    return dot(d, slanted) > 0 ? GREY(1) : GREY(0.125);
+}
+
+// A wall under a sky that is bright on one side: lit by the side that it is seen from.
+static void both_sides(path_tracer f, uint64_t stream) {
+    rng g = check_rng(stream);
+    const color e = {2, 3, 4};
+    for (int i = 0; i < 4; i++) {
+        const bool bright = i & 1, front = i & 2;        // which side of the sky, of the wall
+        const vec3 up = bright ? slanted : neg(slanted); // towards the eye
+        const plane wall = {scale(3, generic_unit(&g)), scale((real)1.7, front ? up : neg(up))};
+        const matte skin = {tint, e};
+        const room sc = {{.planes = &wall, .plane_count = 1, .sky = two_skies}, &skin};
+        const vec3 O = add(wall.x, add(scale(2, up), scale((real)1.5, perpendicular(up))));
+        const light all = paths(f, &sc, (ray){O, sub(wall.x, O)}, 2, 20000, &g);
+        const real here = bright ? 1 : (real)0.125, there = bright ? (real)0.125 : 1;
+        const color shine = front ? e : (color){0, 0, 0};
+        given("a wall of albedo (0.25, 0.5, 0.75) whose front shines with (2, 3, 4), seen from "
+              "%s; the sky on that side is %g, on the other %g: the mean of 20,000 paths",
+              front ? "in front" : "behind", (double)here, (double)there);
+        suspect_vec3("the light of the other side: n must be turned to where the ray came from",
+                     add(scale(there, tint), shine));
+        suspect_vec3("the back shines too, or n was turned before it was asked",
+                     add(scale(here, tint), e));
+        CHECK_VEC3(mean_of(&all), add(scale(here, tint), shine),
+                   standard_errors(5, running_standard_error(&all.blue) * 1.3 + 1e-6));
+        check_means(&all, add(scale(here, tint), shine));
+    }
+}
+
+// A closed room of six walls that face inwards and shine.
+typedef struct {
+    plane walls[6];
+    matte skins[6];
+    room sc;
+} cavity;
+
+static void cavity_of(cavity *c, const frame *F, matte skin) {
+    const vec3 out[] = {{2, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 3}, {0, 0, -1}};
+    for (int i = 0; i < 6; i++) {
+        c->walls[i] = (plane){place(F, out[i]), neg(along(F, out[i]))};
+        c->skins[i] = skin;
+    }
+    c->sc = (room){{.planes = c->walls, .plane_count = 6}, c->skins};
+}
+
+static double truncated(double a, int s) {
+    return s < 0 ? 0 : (1 - pow(a, s + 1)) / (1 - a);
+}
+
+// With at most s bounces E (1 - a^(s+1)) / (1 - a) comes from each wall. The albedo is below
+// 0.75, so that four moments exist and the standard error can be trusted.
+static void cavities(path_tracer f, const int *bounces, int count, uint64_t stream) {
+    rng g = check_rng(stream);
+    const double a = 0.6;
+    const color E = {(real)0.5, 1, 2};
+    for (int i = 0; i < count; i++) {
+        const int s = bounces[i];
+        const frame F = some_frame(1, (real)pow(10, i % 3 - 1), &g);
+        cavity c;
+        cavity_of(&c, &F, (matte){GREY(a), E});
+        const ray r = from_to(&F, scale((real)0.8, in_cube(&g)), in_cube(&g), 3);
+        const light all = paths(f, &c.sc, r, s, 30000, &g);
+        const double truth = truncated((double)(real)a, s);
+        given("inside a closed room whose walls have the albedo 0.6 and shine with (0.5, 1, "
+              "2); s = %d: the mean of 30,000 paths",
+              s);
+        suspect_vec3("one bounce more than s", scale((real)truncated(a, s + 1), E));
+        suspect_vec3("one bounce less than s", scale((real)truncated(a, s - 1), E));
+        if (s > 0) suspect_vec3("the emission of the first wall only", E);
+        if (s > 0)
+            suspect_vec3("the walls' light without that of the first",
+                         scale((real)(truth - 1), E));
+        suspect_vec3("the emission filtered by the wall that sends it: C is coloured too early",
+                     scale((real)(a * truth), E));
+        suspect_vec3("the emission counts twice", scale((real)(2 * truth), E));
+        CHECK_VEC3(mean_of(&all), scale((real)truth, E),
+                   standard_errors(5, running_standard_error(&all.blue) * 1.3 + 1e-6));
+        check_means(&all, scale((real)truth, E));
+    }
+}
+
+// ---- lights with closed forms ----------------------------------------------------------
+// A floor of albedo rho, y = 0, under a black lamp of radiance 1: L = rho E/π.
+
+typedef struct {
+    const char *name;
+    bool square;  // a rectangle; else a ball of radius 1 at c
+    vec3 c, u, v; // the corner and the sides of a rectangle, that shines to u x v
+    double share; // E/π
+} lamp_case;
+
+static const lamp_case lamp_cases[] = {
+    {"a ball of radius 1 straight above, at 1.5", false, {0, (real)1.5, 0}, .share = 1 / 2.25},
+    {"a ball of radius 1 straight above, at 2", false, {0, 2, 0}, .share = 0.25},
+    {"a ball of radius 1 at the height 2, 1.5 to the side",
+     false,
+     {(real)1.5, 2, 0},
+     .share = 2 / 15.625},
+    {"a ball of radius 1 at the height 0.5, 2 to the side: part of it below the horizon",
+     false,
+     {2, (real)0.5, 0},
+     .share = 0.196801876179 / PI},
+    {"a ball of radius 1 at the height 0, 2 to the side: half of it below the horizon",
+     false,
+     {0, 0, -2},
+     .share = 0.090586073706 / PI},
+    {"a square of side 1 at the height 1, a corner straight above",
+     true,
+     {0, 1, 0},
+     {1, 0, 0},
+     {0, 0, 1},
+     0.138531605995},
+    {"a square of side 1 at the height 1, its centre straight above",
+     true,
+     {(real)-0.5, 1, (real)-0.5},
+     {1, 0, 0},
+     {0, 0, 1},
+     0.239456470461},
+    {"a square of side 1 that stands on the floor, a corner at the distance 1",
+     true,
+     {1, 0, 0},
+     {0, 0, 1},
+     {0, 1, 0},
+     0.055734197003},
+};
+
+typedef struct {
+    sphere ball;
+    plane floor;
+    vec3 points[4];
+    mesh square;
+    matte skins[2];
+    room sc;
+} lamp_scene;
+
+static const int square_corners[][3] = {{0, 1, 2}, {0, 2, 3}};
+
+static void lamp_scene_of(lamp_scene *l, const frame *F, const lamp_case *k, real rho) {
+    const matte lamp = {.emittance = {1, 1, 1}}, stone = {.albedo = GREY(rho)};
+    const vec3 far = add(k->c, add(k->u, k->v));
+    l->ball = (sphere){place(F, k->c), F->size};
+    l->floor = (plane){place(F, (vec3){0, 0, 0}), scale((real)0.7, F->y)};
+    l->points[0] = place(F, k->c), l->points[1] = place(F, add(k->c, k->u));
+    l->points[2] = place(F, far), l->points[3] = place(F, add(k->c, k->v));
+    l->square = (mesh){l->points, NULL, square_corners, COUNT(square_corners)};
+    l->skins[k->square ? 0 : 1] = stone, l->skins[k->square ? 1 : 0] = lamp;
+    l->sc = (room){{.planes = &l->floor, .plane_count = 1}, l->skins};
+    if (k->square) l->sc.bodies.meshes = &l->square, l->sc.bodies.mesh_count = 1;
+    if (!k->square) l->sc.bodies.spheres = &l->ball, l->sc.bodies.sphere_count = 1;
+}
+
+// The share of the hemisphere's directions that meet a ball wholly above the horizon.
+static double share_of_directions(vec3 c) {
+    return 1 - sqrt(1 - 1 / (double)dot(c, c));
+}
+
+static void lamps(path_tracer f, int s, uint64_t stream) {
+    rng g = check_rng(stream);
+    const real rho = (real)0.8;
+    const vec3 eye = {-2, 2, (real)0.3}; // sees past the balls, and none is behind its back
+    for (int i = 0; i < COUNT(lamp_cases); i++) {
+        const lamp_case *k = &lamp_cases[i];
+        const frame F = some_frame(2, (real)pow(10, i % 5 - 2), &g);
+        lamp_scene l;
+        lamp_scene_of(&l, &F, k, rho);
+        const ray r = from_to(&F, eye, (vec3){0, 0, 0}, 5);
+        const light all = paths(f, &l.sc, r, s, 60000, &g);
+        given("a floor of albedo 0.8, lit by %s, of radiance 1, alone; s = %d. L = rho E/π is "
+              "the mean of 60,000 paths",
+              k->name, s);
+        CHECK(all.black < 60000, "some paths find the lamp: is its emission collected?");
+        suspect_factor("the density 1/(4π) of the whole sphere, not 1/(2π)", 2);
+        suspect_factor("the BRDF of Lambert is albedo/π: its π is missing", PI);
+        if (!k->square && k->c.y >= 1) {
+            const double share = (double)rho * share_of_directions(k->c);
+            suspect_value("the density cos θ / π, though the directions are uniform: sampler "
+                          "and density do not belong together",
+                          share);
+            suspect_value("the cosine n·v is missing", 2 * share);
+            if (k->c.x == 0)
+                suspect_factor("|dot(d, v)| in place of dot(n, v), which no furnace can see",
+                               (double)normalize(eye).y);
+        }
+        check_means(&all, GREY((double)rho * k->share));
+    }
+}
+
+// ---- acne and extremes -------------------------------------------------------------------
+
+// s = 1 and a convex body: a next ray that meets the body again brings nothing. The
+// cosine itself is 0 once in 2^24 draws at most, and then the ray is grazing anyway.
+static void no_acne(path_tracer f, uint64_t stream) {
+    rng g = check_rng(stream);
+    const real sizes[] = {(real)1e-6, (real)1e-3, 1, (real)1e3, (real)1e6},
+               distances[] = {0, 1, 100, 10000};
+    for (int i = 0; i < COUNT(sizes) * COUNT(distances); i++) {
+        const real far = distances[i / COUNT(sizes)];
+        const frame F = some_frame(far, sizes[i % COUNT(sizes)], &g);
+        lone_ball b;
+        lone_ball_at(&b, &F, (matte){.albedo = GREY(0.5)});
+        light all = {0};
+        for (int k = 0; k < 2000; k++) {
+            const vec3 O = add(b.ball.c, scale(3 * b.ball.r, unit_vector(&g)));
+            const vec3 aim = add(b.ball.c, scale((real)0.9 * b.ball.r, unit_vector(&g)));
+            light_add(&all, f(&b.sc, (ray){O, sub(aim, O)}, 1, &g));
+        }
+        given("a ball of radius %.3g, %g radii from the origin, in a sky of 1; s = 1: %ld of "
+              "2000 paths bring nothing",
+              (double)b.ball.r, (double)far / 1.25, all.black);
+        CHECK(all.black <= 1, "every next ray leaves the surface that it starts from: does it "
+                              "start off the surface, on the right side?");
+        check_means(&all, GREY(0.5));
+    }
+}
+
+typedef struct {
+    sphere balls[4];
+    plane walls[2];
+    vec3 points[3];
+    mesh flake;
+    matte skins[7];
+    room sc;
+} odd_scene;
+
+static const int flake_corners[][3] = {{0, 1, 2}};
+
+static real some_share(rng *g) {
+    const real u = rng_real(g);
+    const uint32_t kind = rng_bits(g) % 4;
+    return kind == 0 ? 0 : kind == 1 ? 1 : u;
+}
+
+static matte some_matte(rng *g) {
+    matte m = {{0, 0, 0}, {0, 0, 0}};
+    m.albedo.x = some_share(g), m.albedo.y = some_share(g), m.albedo.z = some_share(g);
+    if (rng_bits(g) % 3 == 0) {
+        const real e = (real)pow(10, (double)between(g, -4, 4));
+        m.emittance = (color){e, 0, 2 * e};
+    }
+    return m;
+}
+
+static void odd_scene_of(odd_scene *o, rng *g) {
+    const real size = (real)pow(10, (double)between(g, -4, 4));
+    for (int i = 0; i < 4; i++) {
+        o->balls[i].c = scale(size, in_cube(g));
+        o->balls[i].r = size * (real)pow(10, (double)between(g, -4, 0));
+    }
+    for (int i = 0; i < 2; i++) o->walls[i] = (plane){scale(size, in_cube(g)), generic_unit(g)};
+    for (int i = 0; i < 3; i++) o->points[i] = scale(size, in_cube(g));
+    for (int i = 0; i < 7; i++) o->skins[i] = some_matte(g);
+    o->flake = (mesh){o->points, NULL, flake_corners, 1};
+    o->sc = (room){{.spheres = o->balls,
+                    .sphere_count = 4,
+                    .planes = o->walls,
+                    .plane_count = (int)(rng_bits(g) % 3),
+                    .sky = rng_bits(g) % 2 ? white_sky : NULL},
+                   o->skins};
+    if (o->sc.bodies.plane_count == 2) o->sc.bodies.meshes = &o->flake;
+    o->sc.bodies.mesh_count = o->sc.bodies.meshes != NULL;
+}
+
+// No sample is negative, infinite or NaN, in whatever scene and wherever the eye is.
+static void odd_scenes(path_tracer f, int longest, uint64_t stream) {
+    rng g = check_rng(stream);
+    long bad = 0, all = 0;
+    for (int i = 0; i < 2000; i++) {
+        odd_scene o;
+        odd_scene_of(&o, &g);
+        for (int k = 0; k < 20; k++) {
+            const vec3 O = scale(length(o.points[0]), in_cube(&g));
+            const ray r = {O, scale((real)pow(10, k % 7 - 3), generic_unit(&g))};
+            const int s = (int)(rng_bits(&g) % (uint32_t)(longest + 1));
+            const color L = f(&o.sc, r, s, &g);
+            const bool good = is_finite(L) && L.x >= 0 && L.y >= 0 && L.z >= 0;
+            if (!good && bad++ == 0)
+                given(
+                    "random balls, walls and lamps of all sizes, s up to %d; scene %d, ray %d "
+                    "brings " VEC,
+                    longest, i, k, ARG(L));
+            all++;
+        }
+    }
+    CHECK(all == 40000 && bad == 0, "no sample is negative or not finite");
+}
+
+// ---- bounce_ray --------------------------------------------------------------------------
+
+static void bounce_furnace(void) {
+    furnace_of(trace_ray, 10);
+}
+
+static void bounce_shining(void) {
+    shining_ball(trace_ray, 11);
+}
+
+static void bounce_sides(void) {
+    both_sides(trace_ray, 12);
+}
+
+static void bounce_cavity(void) {
+    const int bounces[] = {0, 1, 2, 3, 7};
+    cavities(trace_ray, bounces, COUNT(bounces), 13);
+}
+
+static void bounce_lamps(void) {
+    lamps(trace_ray, 1, 14);
+}
+
+static void bounce_acne(void) {
+    no_acne(trace_ray, 15);
+}
+
+static void bounce_odd(void) {
+    odd_scenes(trace_ray, 12, 16);
+}
+
+// ---- path_trace --------------------------------------------------------------------------
+
+static void path_furnace(void) {
+    furnace_of(path_trace, 20);
+}
+
+static void path_shining(void) {
+    shining_ball(path_trace, 21);
+}
+
+static void path_sides(void) {
+    both_sides(path_trace, 22);
+}
+
+static void path_cavity(void) {
+    const int bounces[] = {0, 1, 2, 3, 7};
+    cavities(path_trace, bounces, COUNT(bounces), 23);
+}
+
+// E/(1 - a): what no s cuts.
+static void path_cavity_deep(void) {
+    const int bounces[] = {1000, 1000000, 1000};
+    cavities(path_trace, bounces, COUNT(bounces), 24);
+}
+
+static void path_lamps(void) {
+    lamps(path_trace, 1, 25);
+    lamps(path_trace, 50, 26);
+}
+
+static void path_acne(void) {
+    no_acne(path_trace, 27);
+}
+
+static void path_odd(void) {
+    odd_scenes(path_trace, 40, 28);
+}
+
+// Only roulette ends these paths.
+static void path_ends(void) {
+    rng g = check_rng(29);
+    const frame F = some_frame(1, 1, &g);
+    cavity c;
+    cavity_of(&c, &F, (matte){.albedo = GREY(1)});
+    const ray r = from_to(&F, (vec3){0, 0, 0}, in_cube(&g), 1);
+    given("a closed black room whose walls reflect everything, s = 1,000,000,000: only "
+          "roulette(survival(C, bounce), g) ends a path, after any bounce, by giving 0");
+    const light all = paths(path_trace, &c.sc, r, 1000000000, 2000, &g);
+    CHECK(all.black == 2000, "no wall shines: no path brings light");
+}
+
+// ---- a second opinion ----------------------------------------------------------------------
+// Paths by other means: directions with the density cos θ / π (n plus a unit vector),
+// which makes every weight the albedo, and no roulette.
+
+static vec3 lambert_direction(vec3 n, rng *g) {
+    vec3 v;
+    do v = add(n, unit_vector(g));
+    while (!(dot(v, v) > (real)1e-6 && dot(v, n) > 0));
+    return normalize(v);
+}
+
+static color other_path(const room *sc, ray r, int s, rng *g) {
+    color C = {1, 1, 1}, L = {0, 0, 0};
+    for (;; s--) {
+        int body = 0;
+        const hit h = scene_nearest(&sc->bodies, r, 0, NO_HIT, &body);
+        if (h.t == NO_HIT) return add(L, mul(C, sky_light(&sc->bodies, r.d)));
+        const matte *m = &sc->surfaces[body];
+        L = add(L, mul(C, emitted(m, h)));
+        C = mul(C, m->albedo);
+        if (s == 0 || (C.x == 0 && C.y == 0 && C.z == 0)) return L;
+        const vec3 n = h.front ? h.n : neg(h.n);
+        r = (ray){offset_origin(h.p, h.error, n, n), lambert_direction(n, g)};
+    }
+}
+
+static void check_two_means(const running *a, const running *b) {
+    CHECK_REAL(a->mean, b->mean,
+               standard_errors(5, hypot(running_standard_error(a), running_standard_error(b))));
+}
+
+// The light of the box in eight pixels, by both.
+static void path_box(void) {
+    rng g = check_rng(30);
+    const room sc = {box_bodies, box_surfaces};
+    const camera cam = box_camera(100, 100);
+    const real pixels[][2] = {{20, 50}, {50, 92}, {85, 40}, {50, 40},
+                              {50, 4},  {33, 64}, {70, 78}, {33, 85}};
+    for (int i = 0; i < COUNT(pixels); i++) {
+        const ray r = camera_ray(&cam, pixels[i][0], pixels[i][1]);
+        const light mine = paths(path_trace, &sc, r, 60, 40000, &g);
+        const light other = paths(other_path, &sc, r, 60, 20000, &g);
+        given("the box in 100 x 100 pixels, at (%g, %g): the mean of 40,000 paths, against "
+              "20,000 by other means",
+              (double)pixels[i][0], (double)pixels[i][1]);
+        check_two_means(&mine.red, &other.red);
+        check_two_means(&mine.green, &other.green);
+        check_two_means(&mine.blue, &other.blue);
+    }
+}
+
+static color box_light(const void *data, ray r, rng *g) {
+    return path_trace(data, r, 20, g);
+}
+
+static void threads(int n) {
+#ifdef _OPENMP
+    omp_set_num_threads(n);
+#else
+    (void)n;
+#endif
+}
+
+static bool same_pixels(image a, image b) {
+    const size_t size = (size_t)a.width * (size_t)a.height * sizeof *a.pixels;
+    return a.width == b.width && a.height == b.height && memcmp(a.pixels, b.pixels, size) == 0;
+}
+
+static void path_threads(void) {
+    const room sc = {box_bodies, box_surfaces};
+    const camera cam = box_camera(31, 23);
+    const options opt = {.samples = 8, .seed = 77};
+    threads(1);
+    image one = render("test", &cam, box_light, &sc, &opt);
+    for (int n = 2; n <= 4; n++) {
+        threads(n);
+        image several = render("test", &cam, box_light, &sc, &opt);
+        given("the box with 1 and with %d threads", n);
+        CHECK(same_pixels(one, several),
+              "the same picture, bit for bit: all random numbers come from g");
+        image_free(&several);
+    }
+    image_free(&one);
+}
+
+// ---- roulette --------------------------------------------------------------------------------
+
+static const real chances[] = {(real)0.05, (real)0.3, (real)0.5, (real)0.9, (real)0.95};
+
+static void roulette_values(void) {
+    rng g = check_rng(40);
+    for (int i = 0; i < 10000; i++) {
+        const real q = i < 5 ? chances[i] : rng_real(&g), w = roulette(q, &g);
+        given("q = %.9g: roulette gives %.9g", (double)q, (double)w);
+        suspect_value("1: it goes on, but is not divided by q", 1);
+        suspect_value("1/(1-q)", 1 / (1 - (double)q));
+        suspect_value("q: multiplied in place of divided", (double)q);
+        if (w != 0) CHECK_REAL(w, 1 / (double)q, roundings(2, "one division"));
+    }
+}
+
+static void roulette_mean(void) {
+    rng g = check_rng(41);
+    for (int i = 0; i < COUNT(chances); i++) {
+        const double q = (double)chances[i];
+        running weight = {0}, alive = {0};
+        for (int k = 0; k < 200000; k++) {
+            const real w = roulette(chances[i], &g);
+            running_add(&weight, (double)w);
+            running_add(&alive, w > 0);
+        }
+        const double p = alive.mean;
+        given("q = %g, 200,000 times: the share that goes on", q);
+        suspect_value("1 - q: it ends with the probability q", 1 - q);
+        suspect_value("all go on", 1);
+        suspect_value("none goes on", 0);
+        CHECK_REAL(p, q, standard_errors(5, sqrt(q * (1 - q) / 200000)));
+        given("q = %g, 200,000 times: the mean of what roulette gives", q);
+        suspect_value("not divided by q: the light of those that end is lost", q);
+        suspect_value("divided by 1 - q", q / (1 - q));
+        CHECK_REAL(weight.mean, 1, standard_errors(5, sqrt((1 - q) / q / 200000)));
+    }
+}
+
+// A path that goes on with q has 1/(1-q) segments in the mean, with the variance
+// q/(1-q)².
+static void roulette_length(void) {
+    rng g = check_rng(42);
+    for (int i = 0; i < COUNT(chances); i++) {
+        const double q = (double)chances[i];
+        running segments = {0};
+        for (int k = 0; k < 50000; k++) {
+            int n = 1;
+            while (n < 10000 && roulette(chances[i], &g) > 0) n++;
+            running_add(&segments, n);
+        }
+        const double variance = q / ((1 - q) * (1 - q));
+        // The fourth central moment of a geometric number over its variance squared
+        // is 9 + 1/variance.
+        const double error_of_variance = variance * sqrt((8 + 1 / variance) / 50000);
+        given("q = %g: the mean number of segments of 50,000 paths", q);
+        suspect_value("1/q: it goes on with 1 - q", 1 / q);
+        CHECK_REAL(segments.mean, 1 / (1 - q), standard_errors(5, sqrt(variance / 50000)));
+        given("q = %g: the variance of the number of segments, over 50,000 paths", q);
+        CHECK_REAL(running_variance(&segments), variance,
+                   standard_errors(6, error_of_variance));
+    }
+}
+
+// A generator whose next numbers are all 0, the smallest that rng_real gives.
+static void roulette_certain(void) {
+    rng g = check_rng(43), zero = {0, 1};
+    given("q = 0, and rng_real gives exactly 0, as it may: once in 16 million");
+    suspect_value("1/0: is the random number compared by < ?", (double)INFINITY);
+    CHECK_REAL(roulette(0, &zero), 0, exactly());
+    for (int i = 0; i < 100000; i++) {
+        given("q = 1: always goes on, with the weight 1");
+        CHECK_REAL(roulette(1, &g), 1, exactly());
+        given("q = 0: never goes on");
+        CHECK_REAL(roulette(0, &g), 0, exactly());
+    }
+}
+
+// ---- furnace_test ----------------------------------------------------------------------------
+// Tracers that are right or wrong in a known way, made without the exercises.
+
+typedef enum {
+    RIGHT,
+    ROULETTE, // right, with more spread
+    SLIDE,
+    TWICE,
+    NO_COSINE,
+    SQUARED,
+    EMITS_TWICE,
+    EMITS_NOT,
+    DIM, // 3 % of the reflected light is missing
+    RED, // right in red, else black
+} habit;
+
+static vec3 upwards(vec3 n, rng *g) {
+    const vec3 v = unit_vector(g);
+    return dot(v, n) < 0 ? neg(v) : v;
+}
+
+static real weight_of(habit which, vec3 d, vec3 n, vec3 v, rng *g) {
+    const real cosine = 2 * dot(n, v);
+    switch (which) {
+    case SLIDE:
+        return 2 * dot(normalize(d), v);
+    case TWICE:
+        return 2 * cosine;
+    case NO_COSINE:
+        return 2;
+    case DIM:
+        return (real)0.97 * cosine;
+    case ROULETTE:
+        return rng_real(g) < (real)0.25 ? 4 * cosine : 0;
+    default:
+        return cosine;
+    }
+}
+
+static color walk(habit which, const room *sc, ray r, int s, rng *g) {
+    int body = 0;
+    const hit h = scene_nearest(&sc->bodies, r, 0, NO_HIT, &body);
+    if (h.t == NO_HIT) return sky_light(&sc->bodies, r.d);
+    const matte *m = &sc->surfaces[body];
+    const color L_e = emitted(m, h), e = scale(which == EMITS_TWICE ? 2 : 1, L_e);
+    if (s == 0) return e;
+    const vec3 n = h.front ? h.n : neg(h.n), v = upwards(n, g);
+    const ray next = {offset_origin(h.p, h.error, n, n), v};
+    const color rho = which == SQUARED ? mul(m->albedo, m->albedo) : m->albedo;
+    const real w = weight_of(which, r.d, n, v, g);
+    const color L = scale(w, mul(rho, walk(which, sc, next, s - 1, g)));
+    const color all = which == EMITS_NOT ? L : add(e, L);
+    return which == RED ? (color){all.x, 0, 0} : all;
+}
+
+#define TRACER(name, which)                                   \
+    static color name(const room *sc, ray r, int s, rng *g) { \
+        return walk(which, sc, r, s, g);                      \
+    }
+TRACER(right, RIGHT)
+TRACER(right_with_roulette, ROULETTE)
+TRACER(by_the_slide, SLIDE)
+TRACER(twice, TWICE)
+TRACER(without_cosine, NO_COSINE)
+TRACER(squared, SQUARED)
+TRACER(emits_twice, EMITS_TWICE)
+TRACER(emits_not, EMITS_NOT)
+TRACER(dim, DIM)
+TRACER(only_red, RED)
+
+static color black(const room *sc, ray r, int s, rng *g) {
+    (void)sc, (void)r, (void)s, (void)g;
+    return (color){0, 0, 0};
+}
+
+static color only_sky(const room *sc, ray r, int s, rng *g) {
+    (void)s, (void)g;
+    return sky_light(&sc->bodies, r.d);
+}
+
+static color now_and_then_nan(const room *sc, ray r, int s, rng *g) {
+    const color L = right(sc, r, s, g);
+    return rng_bits(g) % 256 == 0 ? (color){(real)NAN, (real)NAN, (real)NAN} : L;
+}
+
+// Exact, but for a last digit that goes up or down.
+static color exact_within_rounding(const room *sc, ray r, int s, rng *g) {
+    const color L = other_path(sc, r, s, g);
+    return rng_bits(g) % 4 ? L : scale(1 + REAL_EPSILON, L);
+}
+
+static void accepts_right(void) {
+    rng g = check_rng(50);
+    static const struct {
+        const char *name;
+        path_tracer f;
+    } tracers[] = {
+        {"a right tracer", right},
+        {"a right tracer with roulette, whose samples spread more", right_with_roulette}};
+    const real albedos[] = {(real)0.2, (real)0.5, (real)0.9, 1};
+    for (int i = 0; i < COUNT(tracers) * COUNT(albedos); i++) {
+        const real a = albedos[i / COUNT(tracers)];
+        const double z = furnace_test(tracers[i % COUNT(tracers)].f, a, 20000, &g);
+        given("%s, albedo %g, 20,000 paths: z = %g", tracers[i % COUNT(tracers)].name,
+              (double)a, z);
+        CHECK(fabs(z) < 5,
+              "a right tracer is less than 5 standard errors off (it fails once in "
+              "1.7 million)");
+    }
+}
+
+static void accepts_exact(void) {
+    rng g = check_rng(51);
+    const real albedos[] = {0, (real)0.1, (real)0.7, 1};
+    for (int i = 0; i < COUNT(albedos); i++) {
+        const real a = albedos[i];
+        given("a tracer whose samples are all 1 + albedo, albedo %g, 1000 paths", (double)a);
+        CHECK_REAL(furnace_test(other_path, a, 1000, &g), 0, exactly());
+        given("a tracer whose samples are 1 + albedo but for the last digit, albedo %g",
+              (double)a);
+        CHECK_REAL(furnace_test(exact_within_rounding, a, 1000, &g), 0, exactly());
+    }
+}
+
+static void rejects_wrong(void) {
+    rng g = check_rng(52);
+    static const struct {
+        const char *name;
+        path_tracer f;
+        int sign; // of what it brings too much
+    } tracers[] = {
+        {"the slide's tracer, with dot(d, v)", by_the_slide, -1},
+        {"a tracer that reflects twice too much", twice, 1},
+        {"a tracer without the cosine", without_cosine, 1},
+        {"a tracer with the albedo squared", squared, -1},
+        {"a tracer that counts emission twice", emits_twice, 1},
+        {"a tracer without emission", emits_not, -1},
+        {"a tracer that loses 3 % of the reflected light", dim, -1},
+        {"a tracer that is black", black, -1},
+        {"a tracer that sees only the sky", only_sky, -1},
+        {"a tracer that is right in red, and black in green and blue", only_red, -1},
+    };
+    for (int i = 0; i < COUNT(tracers); i++) {
+        const double z = furnace_test(tracers[i].f, (real)0.6, 40000, &g);
+        given("%s, albedo 0.6, 40,000 paths: z = %g", tracers[i].name, z);
+        CHECK(!isnan(z), "z is a number: a wrong mean without spread is infinitely far off");
+        CHECK(fabs(z) > 5, "a wrong tracer is more than 5 standard errors off");
+        CHECK((z > 0) == (tracers[i].sign > 0), "z > 0 says too bright, z < 0 too dark");
+    }
+}
+
+static void rejects_nan(void) {
+    rng g = check_rng(53);
+    const double z = furnace_test(now_and_then_nan, (real)0.6, 20000, &g);
+    given("a tracer that is right, but for a NaN now and then: z = %g", z);
+    CHECK(!(fabs(z) < 5), "NaN must not pass for right");
+}
+
+// What a sound z of a right tracer is: mean 0, variance 1 (for 300 paths 299/297).
+static void sound_z(void) {
+    enum { RUNS = 3000, PATHS = 300 };
+    const double spread = 0.25 / 3; // the variance of one path: uniform from 1 to 1 + 2a
+    rng g = check_rng(54);
+    running z = {0};
+    for (int i = 0; i < RUNS; i++) running_add(&z, furnace_test(right, (real)0.5, PATHS, &g));
+    given("a right tracer, %d furnace tests of %d paths: the mean of their z", RUNS, PATHS);
+    suspect_about("|z|: without its sign", z.mean, sqrt(2 / PI), 0.1);
+    CHECK_REAL(z.mean, 0, standard_errors(5, running_standard_error(&z)));
+    given("a right tracer, %d furnace tests of %d paths: the variance of their z", RUNS, PATHS);
+    const double variance = running_variance(&z), deviation = 1.0 / PATHS;
+    suspect_about("divided by the standard deviation of one path, not by the standard error "
+                  "of the mean",
+                  variance, deviation, 0.2 * deviation);
+    suspect_about("divided by the variance in place of a standard error", variance,
+                  deviation / spread, 0.2 * deviation / spread);
+    suspect_about("divided by variance / n: its root is missing", variance, PATHS / spread,
+                  0.2 * PATHS / spread);
+    CHECK_REAL(variance, (PATHS - 1.0) / (PATHS - 3.0), standard_errors(5, sqrt(2.0 / RUNS)));
+}
+
+// Looks at what it is sent through: the furnace itself.
+static struct { long paths, missed, emitting, short_ones, odd_sky; } seen;
+
+static color look_around(const room *sc, ray r, int s, rng *g) {
+    int body = 0;
+    const hit h = scene_nearest(&sc->bodies, r, 0, NO_HIT, &body);
+    const color sky = sky_light(&sc->bodies, generic_unit(g));
+    seen.paths++;
+    seen.missed += h.t == NO_HIT;
+    seen.short_ones += s < 1;
+    seen.odd_sky += !(sky.x == 1 && sky.y == 1 && sky.z == 1);
+    if (h.t != NO_HIT) seen.emitting += sc->surfaces[body].emittance.x == 1;
+    return right(sc, r, s, g);
+}
+
+static void the_furnace(void) {
+    rng g = check_rng(55);
+    memset(&seen, 0, sizeof seen);
+    const double z = furnace_test(look_around, (real)0.4, 5000, &g);
+    given("furnace_test(f, 0.4, 5000, g), z = %g: f was called %ld times, %ld rays missed the "
+          "ball, %ld met a ball that shines with 1, %ld had s < 1",
+          z, seen.paths, seen.missed, seen.emitting, seen.short_ones);
+    CHECK_INT(seen.paths, 5000);
+    CHECK(seen.missed == 0, "every ray meets the ball: aim at a point inside it");
+    CHECK(seen.short_ones == 0, "every path may bounce: s >= 1");
+    CHECK(seen.odd_sky == 0, "the sky is 1 in every direction");
+    CHECK(seen.emitting == seen.paths, "the ball shines with the radiance 1");
+}
+
+// ---- what is given ---------------------------------------------------------------------------
+
+static void emitted_front(void) {
+    const matte m = {tint, {3, 2, 1}};
+    CHECK_VEC3(emitted(&m, (hit){.front = true}), m.emittance, exactly());
+    CHECK_VEC3(emitted(&m, (hit){.front = false}), ((vec3){0, 0, 0}), exactly());
+}
+
+static void survival_rule(void) {
+    rng g = check_rng(60);
+    for (int i = 0; i < 10000; i++) {
+        const color C = scale(2, absolute(in_cube(&g)));
+        const real most = fmax(C.x, fmax(C.y, C.z)), q = survival(C, i % 8);
+        given("C = " VEC ", bounce %d", ARG(C), i % 8);
+        if (i % 8 < 3) CHECK_REAL(q, 1, exactly());
+        if (i % 8 >= 3) CHECK_REAL(q, fmin(most, (real)0.95), exactly());
+        CHECK_REAL(survival((color){0, 0, 0}, i % 8), 0, exactly());
+    }
+}
+
+// By the slide a ball of albedo 0.5, seen at the angle θ, has the mean -0.5 cos θ: the mean
+// of v is n/2, and d·n = -cos θ.
+static void slide_slip(void) {
+    rng g = check_rng(61);
+    const double degrees[] = {45, 0, 60, 80};
+    for (int i = 0; i < COUNT(degrees); i++) {
+        const frame F = some_frame(1, 1, &g);
+        lone_ball b;
+        lone_ball_at(&b, &F, (matte){.albedo = GREY(0.5)});
+        const double theta = degrees[i] * PI / 180;
+        const light all =
+            paths(trace_ray_slide, &b.sc, arriving_at(&F, theta, 3), 1, 40000, &g);
+        given("the slide's bounce_ray, albedo 0.5 in a sky of 1, seen at %g degrees",
+              degrees[i]);
+        CHECK_REAL(all.red.mean, -0.5 * cos(theta),
+                   standard_errors(5, running_standard_error(&all.red)));
+    }
+}
+
+static void box_numbers(void) {
+    const vec3 eye = {(real)0.1, (real)1.1, (real)1.3};
+    const vec3 aims[BOX_BODIES] = {
+        [BALL_LEFT] = {(real)-0.45, (real)0.42, (real)-0.4},
+        [BALL_RIGHT] = {(real)0.47, (real)0.34, (real)0.25},
+        [WALL_LEFT] = {-1, 1, 0},
+        [WALL_RIGHT] = {1, (real)1.2, 0},
+        [WALL_FLOOR] = {0, 0, (real)1.1},
+        [WALL_CEILING] = {(real)0.8, 2, 1},
+        [WALL_BACK] = {0, (real)1.5, -1},
+        [WALL_FRONT] = {0, 1, (real)3.6},
+        [LAMP] = {(real)0.1, (real)1.98, 0},
+    };
+    for (int i = 0; i < BOX_BODIES; i++) {
+        int body = -1;
+        const ray r = {eye, sub(aims[i], eye)};
+        const hit h = scene_nearest(&box_bodies, r, 0, NO_HIT, &body);
+        given("from " VEC " towards " VEC, ARG(eye), ARG(aims[i]));
+        CHECK_INT(body, i);
+        CHECK(h.front, "every body of the box is seen from its front");
+    }
+}
+
+static void box_closed(void) {
+    rng g = check_rng(62);
+    for (int i = 0; i < 50000; i++) {
+        const vec3 O = {between(&g, -1, 1), between(&g, 0, 2), between(&g, -1, (real)3.6)};
+        int body = -1;
+        const ray r = {O, generic_unit(&g)};
+        given("in the box from " VEC " along " VEC, ARG(r.O), ARG(r.d));
+        CHECK(scene_nearest(&box_bodies, r, 0, NO_HIT, &body).t != NO_HIT,
+              "no ray leaves the box");
+    }
+}
+
+int main(void) {
+    static const char *const uniform =
+        "As likely in every direction above the surface: which of the given directions are "
+        "uniform already, and what is to be done with those below?";
+    static const char *const equation =
+        "L_e + f_r L_i (n·v) / probability: write down each of the five, with its π.";
+    static const char *const facing = "n points to the side that r came from; h.front says.";
+    static const char *const ends = "s bounces are left for this hit: none for s = 0, else "
+                                    "s - 1 for the next.";
+    static const char *const loop =
+        "C is what the path still lets through, L what it has collected: in which order?";
+    static const char *const honest = "Those that go on carry the light of those that end.";
+    static const char *const sound =
+        "z = (mean - truth) / standard error of the mean: what is the truth here?";
+    static const test tests[] = {
+        {"hemisphere_direction: another direction every time", direction_differs,
+         "Its random numbers come from g, and g must be the caller's."},
+        {"hemisphere_direction: unit vectors above the surface", direction_unit, uniform},
+        {"hemisphere_direction: the mean cosine is 1/2", direction_mean, uniform},
+        {"hemisphere_direction: chi² against 1/(2π)", direction_cells,
+         "Some directions come more often than others: what shape are the random points taken "
+         "from?"},
+        {"hemisphere_direction: the variance of what it samples", direction_variance, uniform},
+        {"bounce_ray: a ball in a furnace", bounce_furnace, equation},
+        {"bounce_ray: a ball that shines", bounce_shining, "L_e counts once, unfiltered."},
+        {"bounce_ray: a wall from both sides", bounce_sides, facing},
+        {"bounce_ray: a closed room, cut after s bounces", bounce_cavity, ends},
+        {"bounce_ray: lamps with closed forms", bounce_lamps, equation},
+        {"bounce_ray: no acne, from 1e-6 to 1e6", bounce_acne, "offset_origin of chapter 06."},
+        {"bounce_ray: 40,000 odd paths", bounce_odd, "No cosine here is negative."},
+        {"path_trace: a ball in a furnace", path_furnace, equation},
+        {"path_trace: a ball that shines", path_shining, loop},
+        {"path_trace: a wall from both sides", path_sides, facing},
+        {"path_trace: a closed room, cut after s bounces", path_cavity,
+         "Emission is collected at every hit, also at the last; then bounce number s ends."},
+        {"path_trace: ends by roulette", path_ends,
+         "After each bounce: roulette(survival(C, bounce), g), and 0 ends the path."},
+        {"path_trace: a closed room, to the end", path_cavity_deep,
+         "C must be scaled by what roulette gives, or those that go on carry too little."},
+        {"path_trace: lamps with closed forms", path_lamps, loop},
+        {"path_trace: no acne, from 1e-6 to 1e6", path_acne, "offset_origin of chapter 06."},
+        {"path_trace: 40,000 odd paths", path_odd, "No cosine here is negative."},
+        {"path_trace: the box, against other means", path_box, loop},
+        {"path_trace: the same picture with any number of threads", path_threads,
+         "All random numbers come from g; nothing is kept from path to path."},
+        {"roulette: 0 or 1/q", roulette_values, honest},
+        {"roulette: goes on with probability q, and the mean is 1", roulette_mean, honest},
+        {"roulette: the length of paths", roulette_length, honest},
+        {"roulette: q = 0 and q = 1", roulette_certain,
+         "rng_real gives 0 now and then, and never 1: < or <= ?"},
+        {"furnace_test: accepts right tracers", accepts_right, sound},
+        {"furnace_test: accepts an exact tracer", accepts_exact,
+         "No spread and no error but rounding: nothing is wrong, and z is 0."},
+        {"furnace_test: rejects wrong tracers", rejects_wrong, sound},
+        {"furnace_test: rejects NaN", rejects_nan, "Which comparison does NaN pass?"},
+        {"furnace_test: z has mean 0 and variance 1", sound_z, sound},
+        {"furnace_test: the furnace itself", the_furnace,
+         "A ball of this albedo that shines with 1, in a sky of 1, met by every ray."},
+        {"emitted: the front only", emitted_front, "Given code: did it change?"},
+        {"survival: by C's largest component", survival_rule, "Given code: did it change?"},
+        {"trace_ray_slide: the slide's slip", slide_slip, "Given code: did it change?"},
+        {"box_bodies: numbered as box.h says", box_numbers, "Given code: did it change?"},
+        {"box_bodies: closed", box_closed, "Given code: did it change?"},
+    };
+    return run_tests("09-path-tracer", tests, COUNT(tests));
+}

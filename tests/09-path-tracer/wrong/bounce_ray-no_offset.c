@@ -1,0 +1,15 @@
+// Wrong: the next ray starts at the hit itself.
+// Expect: does it start off the surface, on the right side?
+#include "chapters/09-path-tracer/path.h"
+
+color bounce_ray(const room *sc, const matte *m, ray r, hit h, int s, rng *g) {
+    (void)r;
+    if (s == 0) return emitted(m, h);
+    const vec3 n = h.front ? h.n : neg(h.n);
+    const vec3 v = hemisphere_direction(n, g);
+    const ray next = {h.p, v};
+    const color incoming = trace_ray(sc, next, s - 1, g);
+    const color reflectance = scale((real)lambert_brdf(1), m->albedo);
+    const real probability = (real)(1 / (2 * PI));
+    return add(emitted(m, h), scale(dot(n, v) / probability, mul(reflectance, incoming)));
+}
