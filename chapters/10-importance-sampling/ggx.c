@@ -1,7 +1,8 @@
 // ggx.c: see ggx.h. The derivations are in README.md.
 #include "chapters/10-importance-sampling/ggx.h"
 
-// By the slopes x/z, y/z, so that a tiny alpha cancels nothing.
+// 1 / (π alpha² cos⁴ θ (1 + tan² θ / alpha²)²), multiplied out: no tan θ, and nothing cancels
+// for a tiny alpha.
 real ggx_density(vec3 h, real alpha) {
     if (h.z <= 0) return 0;
     const real a = alpha * alpha;
@@ -16,10 +17,10 @@ static real stretched(vec3 w, real alpha) {
 
 // G2 / (4 o.z v.z) = 1 / (2 (v.z stretched(o) + o.z stretched(v)))
 real ggx_brdf(vec3 o, vec3 v, real alpha) {
-    if (o.z <= 0 || v.z <= 0) return 0;
-    const vec3 h = normalize(add(o, v));
+    const vec3 sum = add(o, v);
+    if (o.z <= 0 || v.z <= 0 || dot(sum, sum) == 0) return 0;
     const real G = 1 / (2 * (v.z * stretched(o, alpha) + o.z * stretched(v, alpha)));
-    return ggx_density(h, alpha) * G;
+    return ggx_density(normalize(sum), alpha) * G;
 }
 
 // (1 + Λ(o)) / (1 + Λ(o) + Λ(v))

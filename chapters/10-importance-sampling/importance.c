@@ -11,46 +11,61 @@ static real heuristic(strategy how, real p, real q) {
     return how == BY_POWER ? power_heuristic(p, q) : balance_heuristic(p, q);
 }
 
-// From the hit towards the lamp, both ends off their surfaces.
-static bool sees(const scene *sc, const stop *at, const aim *a) {
-    const vec3 from = offset_origin(at->h.p, at->h.error, at->n, at->n);
-    const vec3 to = offset_origin(a->on.p, a->on.error, a->on.n, a->on.n);
-    return !scene_blocked(sc, (ray){from, sub(to, from)}, 1 - 4 * REAL_EPSILON);
+// NaN is not black: what is wrong must reach the picture, where it is counted.
+static bool is_black(color c) {
+    return c.x == 0 && c.y == 0 && c.z == 0;
 }
 
-// The light of one point of one lamp, by way of the hit.
+stop stop_at(const surface *m, ray r, hit h) {
+    const vec3 n = h.front ? h.n : neg(h.n);
+    return (stop){m, n, neg(r.d), offset_origin(h.p, h.error, n, n)};
+}
+
+// ---- the light of the lamps ----------------------------------------------------------
+
+// Both ends lie off their surfaces.
+static bool sees(const lit_room *sc, const stop *at, const aim *a) {
+    const vec3 end = offset_origin(a->on.p, a->on.error, a->on.n, a->on.n);
+    const ray r = {at->start, sub(end, at->start)};
+    const lamp *l = &sc->lamps.lamps[sc->lamps.of_body[a->body]];
+    return !scene_blocked(&sc->bodies, r, 1 - 4 * REAL_EPSILON, l->hides_itself ? -1 : a->body);
+}
+
 color direct_light(const lit_room *sc, const stop *at, rng *g) {
     const color black = {0, 0, 0};
-    const aim a = lamps_aim(&sc->lamps, at->h.p, g);
+    if (sc->strategy < BY_LAMPS) return black;
+    const aim a = lamps_aim(&sc->lamps, at->start, g);
     if (a.body < 0 || !a.on.front || !(a.p > 0) || !isfinite(a.p)) return black;
-    const real cosine = dot(at->n, a.v);
-    if (!(cosine > 0)) return black;
     const color f = surface_brdf(at->m, at->n, at->o, a.v);
-    if (!(f.x > 0 || f.y > 0 || f.z > 0) || !sees(&sc->bodies, at, &a)) return black;
+    if (is_black(f) || !sees(sc, at, &a)) return black;
     const real q = surface_probability(at->m, at->n, at->o, a.v);
     const real share = sc->strategy == BY_LAMPS ? 1 : heuristic(sc->strategy, a.p, q);
-    return scale(share * cosine / a.p, mul(f, sc->surfaces[a.body].emittance));
+    return scale(share * dot(at->n, a.v) / a.p, mul(f, sc->surfaces[a.body].emittance));
 }
 
-// How much of a lamp's light counts when the path runs into it by itself: x is where it
-// came from, with the density p.
 real share_of_hit(const lit_room *sc, int body, ray r, hit h, real p) {
-    if (sc->strategy <= BY_BRDF || sc->lamps.of_body[body] < 0) return 1;
+    if (sc->strategy < BY_LAMPS || sc->lamps.of_body[body] < 0) return 1;
     if (sc->strategy == BY_LAMPS) return 0;
     return heuristic(sc->strategy, p, lamps_probability(&sc->lamps, body, r.O, r.d, h));
 }
 
-static scattered scatter_uniform(const surface *m, vec3 n, vec3 o, rng *g) {
-    const vec3 v = hemisphere_direction(n, g);
-    const real p = (real)(1 / (2 * PI));
-    return (scattered){v, scale(dot(n, v) / p, surface_brdf(m, n, o, v)), p};
-}
+// ---- the path ------------------------------------------------------------------------
 
-color emitted_by(const surface *m, hit h) {
+static color shine(const surface *m, hit h) {
     return h.front ? m->emittance : (color){0, 0, 0};
 }
 
-color light_trace(const lit_room *sc, ray r, int s, rng *g) {
+static scattered scatter_uniform(const stop *at, rng *g) {
+    const vec3 v = hemisphere_direction(at->n, g);
+    const real p = (real)(1 / (2 * PI));
+    const color f = surface_brdf(at->m, at->n, at->o, v);
+    return (scattered){v, scale(dot(at->n, v) / p, f), p};
+}
+
+// C: what the path still lets through, L: what it has collected, p: the density with which
+// its last direction was chosen. flatten: with -flto all that it calls is compiled into it, and
+// no ray or hit goes through memory.
+__attribute__((flatten)) color light_trace(const lit_room *sc, ray r, int s, rng *g) {
     color C = {1, 1, 1}, L = {0, 0, 0};
     real p = 0;
     r.d = normalize(r.d);
@@ -58,20 +73,21 @@ color light_trace(const lit_room *sc, ray r, int s, rng *g) {
         int body = 0;
         const hit h = scene_nearest(&sc->bodies, r, 0, NO_HIT, &body);
         if (h.t == NO_HIT) return add(L, mul(C, sky_light(&sc->bodies, r.d)));
-        const stop at = {&sc->surfaces[body], h, h.front ? h.n : neg(h.n), neg(r.d)};
+        const stop at = stop_at(&sc->surfaces[body], r, h);
         const real share = bounce == 0 ? 1 : share_of_hit(sc, body, r, h, p);
-        L = add(L, scale(share, mul(C, emitted_by(at.m, h))));
+        L = add(L, scale(share, mul(C, shine(at.m, h))));
         if (bounce == s) return L;
-        if (sc->strategy >= BY_LAMPS) L = add(L, mul(C, direct_light(sc, &at, g)));
+        L = add(L, mul(C, direct_light(sc, &at, g)));
         const scattered next = sc->strategy == BY_UNIFORM
-                                   ? scatter_uniform(at.m, at.n, at.o, g)
+                                   ? scatter_uniform(&at, g)
                                    : surface_scatter(at.m, at.n, at.o, g);
         if (!(next.p > 0)) return L;
         C = mul(C, next.weight);
+        if (is_black(C)) return L;
         const real weight = roulette(survival(C, bounce), g);
         if (weight == 0) return L;
         C = scale(weight, C);
         p = next.p;
-        r = (ray){offset_origin(h.p, h.error, at.n, at.n), next.v};
+        r = (ray){at.start, next.v};
     }
 }

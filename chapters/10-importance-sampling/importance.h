@@ -42,10 +42,12 @@ scattered surface_scatter(const surface *m, vec3 n, vec3 o, rng *g);
 
 // A body that shines and can be aimed at: a sphere or a mesh.
 typedef struct {
-    int body;          // as scene_nearest numbers it
-    const sphere *S;   // or NULL
-    const mesh *m;     // or NULL
-    const real *areas; // of a mesh: the area of triangles 0 .. i together
+    int body;            // as scene_nearest numbers it
+    const sphere *S;     // or NULL
+    const mesh *m;       // or NULL
+    const real *areas;   // of a mesh: the area of triangles 0 .. i together
+    const vec3 *normals; // of a mesh: unit, one a triangle
+    bool hides_itself;   // can one part of it stand before another? Not of a flat mesh
 } lamp;
 
 typedef struct {
@@ -71,8 +73,8 @@ aim lamps_aim(const lamps *all, vec3 x, rng *g);
 // 0 for what is no lamp.
 real lamps_probability(const lamps *all, int body, vec3 x, vec3 v, hit h);
 
-// Is anything between the points of the ray with 0 < t < t_max?
-bool scene_blocked(const scene *sc, ray r, real t_max);
+// Is anything but the body `except` (-1: but nothing) at a point of the ray with 0 < t < t_max?
+bool scene_blocked(const scene *sc, ray r, real t_max, int except);
 
 // ---- the path tracer ---------------------------------------------------------------
 
@@ -91,56 +93,57 @@ typedef struct {
     strategy strategy;
 } lit_room;
 
-// A path's stop at a surface.
-typedef struct {
-    const surface *m;
-    hit h;
-    vec3 n; // the surface's normal, on the side of o
-    vec3 o; // unit, to where the path came from
-} stop;
-
-// The emittance of the side that was hit.
-color emitted_by(const surface *m, hit h);
-
-// The light that comes from one random point of a lamp and is reflected at the stop to
-// o, weighted by the room's strategy. One sample; its mean is the light of all lamps.
-color direct_light(const lit_room *sc, const stop *at, rng *g);
-
-// How much of a lamp's light counts when the ray r runs into it by itself at h; p: the
-// density with which r's direction was chosen. 1 for what lamps_aim never aims at.
-real share_of_hit(const lit_room *sc, int body, ray r, hit h, real p);
-
 // A path_tracer for lit rooms: the radiance that arrives along r after at most s bounces.
 color light_trace(const lit_room *sc, ray r, int s, rng *g);
 
-// p² / (p² + q²); Veach's power heuristic. p > 0, q >= 0; also where a square overflows.
+// Where a path stands: on a surface, at a hit.
+typedef struct {
+    const surface *m;
+    vec3 n, o;  // unit; o: where the path came from, n: the hit's normal on the side of o
+    vec3 start; // where rays leave from: the hit's point, off the surface on the side of n
+} stop;
+stop stop_at(const surface *m, ray r, hit h); // r.d is unit
+
+// One sample of the lamps: the radiance that comes from them without a bounce and is sent on
+// to o, weighted as the strategy says. Black for BY_UNIFORM and BY_BRDF.
+color direct_light(const lit_room *sc, const stop *at, rng *g);
+
+// The other half of it, the weight of what a body shines that the path runs into by itself:
+// r starts where the path was scattered with the density p, and hits the body at h. 1 for
+// what direct_light never aims at.
+real share_of_hit(const lit_room *sc, int body, ray r, hit h, real p);
+
+// p² / (p² + q²); Veach's power heuristic. p and q as for balance_heuristic.
 real power_heuristic(real p, real q);
 
 // Exercises: exercises/10-importance-sampling/ -------------------------------------
 
-// Density cos θ / π about the unit normal n: unit, v·n >= 0.
+// A unit vector v with the density cos θ / π about the unit normal n. v·n >= 0, but for a
+// rounding.
 vec3 cosine_direction(vec3 n, rng *g);
 
 // The density of cosine_direction at the unit vector v: 0 below the surface.
 real cosine_probability(vec3 n, vec3 v);
 
-// A unit direction from x, uniform in the cone in which the sphere is seen.
-// x lies outside; also for spheres that look tiny (r/|x - c| down to 1e-6).
+// A unit direction from x, uniform in the cone in which the sphere is seen, for x outside
+// it. Also where it looks tiny (r/|x - c| down to 1e-6) and from close by: double inside.
 vec3 sphere_direction(sphere S, vec3 x, rng *g);
 
-// The density of sphere_direction: 1 / (2π (1 - cos θ_max)) in the cone, without
-// cancellation for small cones; 0 outside it and for x inside the sphere.
+// The density of sphere_direction at the unit vector v: 1 / (2π (1 - cos θ_max)) in the cone,
+// to the last digits for small cones and large ones: double inside, and no cancellation.
+// 0 where the ray (x, v) misses the sphere, and for x in it.
 real sphere_probability(sphere S, vec3 x, vec3 v);
 
 // A uniform point of the triangle: u, v of triangle_point (t is set to 0).
 triangle_point triangle_sample(triangle T, rng *g);
 
 // The density per steradian at x of a point y that was chosen uniformly on a surface of
-// this area with the unit normal n_y there: |y - x|² / (area |cos θ'|); INFINITY edge-on.
+// this area with the unit normal n_y there: |y - x|² / (area |cos θ'|), θ' the angle between
+// n_y and y - x; INFINITY edge-on. y != x. Double inside: lengths may be 1e-15 or 1e15.
 real solid_angle_probability(vec3 x, vec3 y, vec3 n_y, real area);
 
 // The balance heuristic: the weight p / (p + q) of a sample that had the density p, and
-// would have had q by the other way. p > 0, q >= 0, INFINITY allowed for one of them.
+// would have had q by the other way. p, q >= 0, not both 0, and one of them may be INFINITY.
 real balance_heuristic(real p, real q);
 
 #endif

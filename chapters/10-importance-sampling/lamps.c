@@ -14,15 +14,32 @@ static bool shines(color c) {
     return c.x > 0 || c.y > 0 || c.z > 0;
 }
 
-// The areas of the triangles, added up one after the other.
-static const real *area_sums(const mesh *m) {
-    real *sums = memory((size_t)m->count, sizeof *sums);
+// Do all corners lie in the plane of the first triangle, whose unit normal is n, but for
+// rounding? Not when its area is 0.
+static bool is_flat(const mesh *m, vec3 n) {
+    if (dot(n, n) == 0) return false;
+    const vec3 x = mesh_triangle(m, 0).p1;
+    for (int i = 0; i < m->count; i++)
+        for (int k = 0; k < 3; k++) {
+            const vec3 y = m->points[m->corners[i][k]];
+            const real rounding = dot(absolute(n), add(absolute(x), absolute(y)));
+            if (fabs(dot(n, sub(y, x))) > 4 * REAL_EPSILON * rounding) return false;
+        }
+    return true;
+}
+
+static lamp mesh_lamp(int body, const mesh *m) {
+    real *areas = memory((size_t)m->count, sizeof *areas);
+    vec3 *normals = memory((size_t)m->count, sizeof *normals);
     double sum = 0;
     for (int i = 0; i < m->count; i++) {
-        sum += (double)length(triangle_normal(mesh_triangle(m, i))) / 2;
-        sums[i] = (real)sum;
+        const vec3 n = triangle_normal(mesh_triangle(m, i));
+        const real twice = length(n);
+        sum += (double)twice / 2;
+        areas[i] = (real)sum;
+        if (twice > 0) normals[i] = scale(1 / twice, n);
     }
-    return sums;
+    return (lamp){body, NULL, m, areas, normals, !is_flat(m, normals[0])};
 }
 
 lamps lamps_find(const scene *bodies, const surface *surfaces) {
@@ -33,16 +50,18 @@ lamps lamps_find(const scene *bodies, const surface *surfaces) {
     for (int i = 0; i < count; i++) {
         of_body[i] = -1;
         if (!shines(surfaces[i].emittance) || (i >= planes && i < meshes)) continue;
-        const sphere *S = i < planes ? &bodies->spheres[i] : NULL;
-        const mesh *m = S ? NULL : &bodies->meshes[i - meshes];
         of_body[i] = all.count;
-        all.lamps[all.count++] = (lamp){i, S, m, m ? area_sums(m) : NULL};
+        all.lamps[all.count++] = i < planes ? (lamp){.body = i, .S = &bodies->spheres[i]}
+                                            : mesh_lamp(i, &bodies->meshes[i - meshes]);
     }
     return all;
 }
 
 void lamps_free(lamps *all) {
-    for (int i = 0; i < all->count; i++) free((void *)all->lamps[i].areas);
+    for (int i = 0; i < all->count; i++) {
+        free((void *)all->lamps[i].areas);
+        free((void *)all->lamps[i].normals);
+    }
     free(all->lamps);
     free((void *)all->of_body);
     *all = (lamps){0};
@@ -50,14 +69,17 @@ void lamps_free(lamps *all) {
 
 // ---- towards a sphere --------------------------------------------------------------
 
+// A direction to a sphere that looks tiny has few digits for it, and some pass the rim by a
+// rounding: they stand for the rim. The density is that of the whole cone.
 static aim aim_at_sphere(const lamp *l, vec3 x, rng *g) {
-    const vec3 w = sub(x, l->S->c);
+    const vec3 w = sub(l->S->c, x);
     if (dot(w, w) <= l->S->r * l->S->r) return (aim){.body = -1};
     const vec3 v = sphere_direction(*l->S, x, g);
     const ray r = {x, v};
-    const real t = sphere_hit(*l->S, r, 0, NO_HIT);
-    if (t == NO_HIT) return (aim){.body = -1}; // the rim, rounded
-    return (aim){l->body, sphere_surface(*l->S, r, t), v, sphere_probability(*l->S, x, v)};
+    const real t = fmin(sphere_hit(*l->S, r, 0, NO_HIT), dot(w, v));
+    hit on = sphere_surface(*l->S, r, t);
+    on.front = true;
+    return (aim){l->body, on, v, sphere_probability(*l->S, x, normalize(w))};
 }
 
 // ---- towards a mesh ------------------------------------------------------------------
@@ -78,10 +100,11 @@ static aim aim_at_mesh(const lamp *l, vec3 x, rng *g) {
     const vec3 y = add(add(scale(1 - q.u - q.v, T.p1), scale(q.u, T.p2)), scale(q.v, T.p3));
     const real t = length(sub(y, x));
     if (!(t > 0)) return (aim){.body = -1};
-    const ray r = {x, scale(1 / t, sub(y, x))};
-    const hit on = triangle_surface(T, r, (triangle_point){t, q.u, q.v});
+    const vec3 v = scale(1 / t, sub(y, x)), n = l->normals[i];
+    const vec3 sizes = add(add(absolute(T.p1), absolute(T.p2)), absolute(T.p3));
+    const hit on = {t, y, scale(rounding_bound(6), sizes), n, dot(v, n) < 0};
     const real area = l->areas[l->m->count - 1];
-    return (aim){l->body, on, r.d, solid_angle_probability(x, on.p, on.n, area)};
+    return (aim){l->body, on, v, solid_angle_probability(x, y, n, area)};
 }
 
 // ---- any of them ---------------------------------------------------------------------
@@ -103,13 +126,15 @@ real lamps_probability(const lamps *all, int body, vec3 x, vec3 v, hit h) {
     return p / (real)all->count;
 }
 
-bool scene_blocked(const scene *sc, ray r, real t_max) {
+bool scene_blocked(const scene *sc, ray r, real t_max, int except) {
     for (int i = 0; i < sc->sphere_count; i++)
-        if (sphere_hit(sc->spheres[i], r, 0, t_max) < t_max) return true;
-    int which;
-    for (int i = 0; i < sc->mesh_count; i++)
-        if (mesh_hit(&sc->meshes[i], r, 0, t_max, &which).t < t_max) return true;
+        if (i != except && sphere_hit(sc->spheres[i], r, 0, t_max) < t_max) return true;
     for (int i = 0; i < sc->plane_count; i++)
         if (plane_hit(sc->planes[i], r, 0, t_max) < t_max) return true;
+    const int meshes = sc->sphere_count + sc->plane_count;
+    int which;
+    for (int i = 0; i < sc->mesh_count; i++)
+        if (meshes + i != except && mesh_hit(&sc->meshes[i], r, 0, t_max, &which).t < t_max)
+            return true;
     return false;
 }

@@ -19,120 +19,138 @@ media media_pass(media in, int body, bool inwards) {
     return in;
 }
 
-static real index_of(const glass_room *sc, int medium) {
-    return medium < 0 ? 1 : sc->substances[medium].n;
+// The index of the medium at hand.
+static real index_in(const glass_room *sc, const media *in) {
+    const int body = media_now(in, sc->substances);
+    return body < 0 ? 1 : sc->substances[body].n;
 }
 
 // ---- the walk ----------------------------------------------------------------------
 
 typedef struct {
     ray r;
-    color C, L; // what the path still lets through, what it has collected
-    real p;     // the density of r.d; 0: there was no choice, or it was not by a density
+    color C, L; // what the path still lets through, what it has collected: L / n²
+    real p;     // the density of r.d, where the lamps were aimed at too; else 0
     media in;
 } walk;
 
-static void set_off(walk *w, hit h, vec3 side, vec3 d) {
+// The path goes on along d, from the side of the hit's surface that `side` points to.
+static void set_off(walk *w, hit h, vec3 side, vec3 d, real p) {
     w->r = (ray){offset_origin(h.p, h.error, side, side), d};
+    w->p = p;
 }
 
-// The boundary of a glass body, from the side that the path is on.
+// A boundary of a glass body, as the path meets it.
 typedef struct {
-    media beyond;    // what the path is in behind it
-    int here, there; // the media of both sides, as media_now has them
+    media beyond; // what the path is in behind it
+    real eta;     // 1: there is nothing to be seen of it
 } boundary;
 
 static boundary boundary_at(const glass_room *sc, const walk *w, int body, hit h) {
     const media beyond = media_pass(w->in, body, h.front);
-    return (boundary){beyond, media_now(&w->in, sc->substances),
-                      media_now(&beyond, sc->substances)};
+    return (boundary){beyond, index_in(sc, &beyond) / index_in(sc, &w->in)};
 }
 
-static void pass(walk *w, hit h, vec3 d, media in) {
-    w->in = in;
-    set_off(w, h, h.front ? neg(h.n) : h.n, d);
-}
-
-static void bounce_glass(const glass_room *sc, walk *w, hit h, boundary b, rng *g) {
-    const vec3 n = h.front ? h.n : neg(h.n);
-    const vec3 d = glass_bounce(w->r.d, n, index_of(sc, b.there) / index_of(sc, b.here), g);
-    w->p = 0;
-    if (dot(d, n) < 0)
-        pass(w, h, d, b.beyond);
-    else
-        set_off(w, h, n, d);
-}
-
-static void mirror_metal(const metal *m, walk *w, hit h) {
-    const vec3 n = h.front ? h.n : neg(h.n);
-    w->C = mul(w->C, fresnel_conductor(-dot(w->r.d, n), m->eta, m->k));
-    w->p = 0;
-    set_off(w, h, n, keep_unit(reflect(w->r.d, n)));
-}
-
-// Shadow rays end at glass, so lamps are aimed at in air only; within glass they count
-// in full when they are met. False: the path ends.
-static bool bounce_opaque(const glass_room *sc, walk *w, int body, hit h, rng *g) {
-    const vec3 n = h.front ? h.n : neg(h.n);
-    const stop at = {&sc->room.surfaces[body], h, n, neg(w->r.d)};
-    const bool aims = w->in.count == 0;
-    if (aims) w->L = add(w->L, mul(w->C, direct_light(&sc->room, &at, g)));
-    const scattered next = surface_scatter(at.m, n, at.o, g);
-    if (!(next.p > 0)) return false;
-    w->C = mul(w->C, next.weight);
-    w->p = aims ? next.p : 0;
-    set_off(w, h, n, next.v);
-    return true;
-}
-
-// What the hit body shines, seen through the medium at hand: L / n² is what stays the same
-// through a boundary, not L.
-static void collect(const glass_room *sc, walk *w, int body, hit h) {
-    const real n = index_of(sc, media_now(&w->in, sc->substances));
-    const real share = w->p > 0 ? share_of_hit(&sc->room, body, w->r, h, w->p) : 1;
-    const color L = emitted_by(&sc->room.surfaces[body], h);
-    w->L = add(w->L, scale(share / (n * n), mul(w->C, L)));
+static void pass(walk *w, hit h, vec3 d, media beyond) {
+    w->in = beyond;
+    set_off(w, h, h.front ? neg(h.n) : h.n, d, 0);
 }
 
 static void cross_medium(const glass_room *sc, walk *w, real t) {
-    const int medium = media_now(&w->in, sc->substances);
-    if (medium >= 0) w->C = mul(w->C, absorb(sc->substances[medium].sigma, t));
+    const int body = media_now(&w->in, sc->substances);
+    if (body >= 0) w->C = mul(w->C, absorb(sc->substances[body].sigma, t));
 }
 
-// Without the cap of chapter 09: a path in clear glass loses nothing, and goes on.
-static bool goes_on(walk *w, const substance *of, int bounce, rng *g) {
-    const real largest = fmax(w->C.x, fmax(w->C.y, w->C.z));
-    const real q = of->kind == OPAQUE ? survival(w->C, bounce) : fmin(largest, 1);
-    if (!(q > 0)) return false;
-    const real weight = roulette(q, g);
-    w->C = scale(weight, w->C);
-    return weight > 0;
+// The next hit that is more than a boundary with nothing to be seen.
+static hit next_stop(const glass_room *sc, walk *w, int *body) {
+    for (;;) {
+        const hit h = scene_nearest(&sc->room.bodies, w->r, 0, NO_HIT, body);
+        cross_medium(sc, w, h.t);
+        if (h.t == NO_HIT || sc->substances[*body].kind != GLASS) return h;
+        const boundary b = boundary_at(sc, w, *body, h);
+        if (b.eta != 1) return h;
+        pass(w, h, w->r.d, b.beyond);
+    }
+}
+
+// What an opaque body shines. Through a boundary L / n² stays the same, not L.
+static void collect(const glass_room *sc, walk *w, int body, hit h) {
+    if (!h.front || sc->substances[body].kind != OPAQUE) return;
+    const real n = index_in(sc, &w->in);
+    const real share = w->p > 0 ? share_of_hit(&sc->room, body, w->r, h, w->p) : 1;
+    const color L = mul(w->C, sc->room.surfaces[body].emittance);
+    w->L = add(w->L, scale(share / (n * n), L));
+}
+
+// ---- the bounces -------------------------------------------------------------------
+
+// The side that d points to is the side on which the path goes on: so what it is in
+// is always where it is.
+static void bounce_glass(const glass_room *sc, walk *w, int body, hit h, rng *g) {
+    const vec3 n = h.front ? h.n : neg(h.n);
+    const boundary b = boundary_at(sc, w, body, h);
+    const vec3 d = glass_bounce(w->r.d, n, b.eta, g);
+    if (dot(d, n) < 0)
+        pass(w, h, d, b.beyond);
+    else
+        set_off(w, h, n, d, 0);
+}
+
+// A metal's index is that in air: what counts is how much it differs from the medium's.
+static void bounce_metal(const glass_room *sc, const metal *m, walk *w, hit h) {
+    const vec3 n = h.front ? h.n : neg(h.n);
+    const real cosine = fmin(fmax(-dot(w->r.d, n), 0), 1), relative = 1 / index_in(sc, &w->in);
+    w->C = mul(w->C, fresnel_conductor(cosine, scale(relative, m->eta), scale(relative, m->k)));
+    set_off(w, h, n, keep_unit(reflect(w->r.d, n)), 0);
+}
+
+// Shadow rays end at glass, so the lamps are aimed at in air only; within glass they
+// count in full when they are met.
+static void bounce_opaque(const glass_room *sc, walk *w, int body, hit h, int bounce, rng *g) {
+    const stop at = stop_at(&sc->room.surfaces[body], w->r, h);
+    const bool aims = w->in.count == 0;
+    if (aims) w->L = add(w->L, mul(w->C, direct_light(&sc->room, &at, g)));
+    const scattered next = surface_scatter(at.m, at.n, at.o, g);
+    w->C = next.p > 0 ? mul(w->C, next.weight) : (color){0, 0, 0};
+    w->C = scale(roulette(survival(w->C, bounce), g), w->C);
+    w->r = (ray){at.start, next.v};
+    w->p = aims ? next.p : 0;
+}
+
+// Roulette is for opaque surfaces alone: a path in clear glass loses nothing.
+static void bounce_off(const glass_room *sc, walk *w, int body, hit h, int bounce, rng *g) {
+    switch (sc->substances[body].kind) {
+    case OPAQUE:
+        bounce_opaque(sc, w, body, h, bounce, g);
+        break;
+    case GLASS:
+        bounce_glass(sc, w, body, h, g);
+        break;
+    case METAL:
+        bounce_metal(sc, sc->substances[body].metal, w, h);
+        break;
+    }
+}
+
+static bool is_black(color c) {
+    return c.x <= 0 && c.y <= 0 && c.z <= 0; // NaN is not
+}
+
+// L / n² of the light that arrives.
+static color walk_light(const glass_room *sc, walk *w, int s, rng *g) {
+    for (int bounce = 0; !is_black(w->C); bounce++) {
+        int body = 0;
+        const hit h = next_stop(sc, w, &body);
+        if (h.t == NO_HIT) return add(w->L, mul(w->C, sky_light(&sc->room.bodies, w->r.d)));
+        collect(sc, w, body, h);
+        if (bounce == s) break;
+        bounce_off(sc, w, body, h, bounce, g);
+    }
+    return w->L;
 }
 
 color glass_trace(const glass_room *sc, ray r, int s, rng *g) {
-    walk w = {.r = {r.O, normalize(r.d)}, .C = {1, 1, 1}};
-    for (int bounce = 0;;) {
-        int body = 0;
-        const hit h = scene_nearest(&sc->room.bodies, w.r, 0, NO_HIT, &body);
-        cross_medium(sc, &w, h.t);
-        if (h.t == NO_HIT) return add(w.L, mul(w.C, sky_light(&sc->room.bodies, w.r.d)));
-        const substance *of = &sc->substances[body];
-        boundary b = {.here = -1, .there = -1};
-        if (of->kind == GLASS) {
-            b = boundary_at(sc, &w, body, h);
-            if (b.here == b.there) {
-                pass(&w, h, w.r.d, b.beyond);
-                continue;
-            }
-        }
-        collect(sc, &w, body, h);
-        if (bounce == s) return w.L;
-        if (of->kind == GLASS)
-            bounce_glass(sc, &w, h, b, g);
-        else if (of->kind == METAL)
-            mirror_metal(of->metal, &w, h);
-        else if (!bounce_opaque(sc, &w, body, h, g))
-            return w.L;
-        if (!goes_on(&w, of, bounce++, g)) return w.L;
-    }
+    walk w = {.r = {r.O, normalize(r.d)}, .C = {1, 1, 1}, .in = sc->start};
+    const real n = index_in(sc, &w.in);
+    return scale(n * n, walk_light(sc, &w, s, g));
 }

@@ -1,13 +1,17 @@
 #include "chapters/10-importance-sampling/importance.h"
+#include "common/wide3.h"
 
-// 1 - cos θ is uniform in [0, 1 - cos θ_max], and sin² θ = (1 - cos θ)(1 + cos θ).
+// c = 1 - cos θ is uniform in [0, 1 - cos θ_max], and sin² θ = c (2 - c). The axis in double:
+// one rounded to float would miss a small sphere's middle.
 vec3 sphere_direction(sphere S, vec3 x, rng *g) {
-    const vec3 w = sub(S.c, x);
-    const real sin2 = S.r * S.r / dot(w, w);
-    const real q = sin2 / (1 + sqrt(1 - sin2)); // 1 - cos θ_max
-    const real c = q * rng_real(g);
-    const real phi = (real)(2 * PI) * rng_real(g);
-    const real sine = sqrt(c * (2 - c));
-    const vec3 local = {sine * cos(phi), sine * sin(phi), 1 - c};
-    return keep_unit(to_world(orthonormal_basis(normalize(w)), local));
+    const wide3 w = wide_sub(S.c, x);
+    const double square = wide_dot(w, w), far = sqrt(square), r2 = (double)S.r * S.r;
+    const double cos_max = sqrt(fmax(square - r2, 0)) / far;
+    const double c = (double)rng_real(g) * r2 / square / (1 + cos_max);
+    const double phi = 2 * PI * (double)rng_real(g), sine = sqrt(c * (2 - c));
+    const wide3 axis = {w.x / far, w.y / far, w.z / far};
+    const frame f = orthonormal_basis(narrow(axis));
+    const wide3 along = {(1 - c) * axis.x, (1 - c) * axis.y, (1 - c) * axis.z};
+    const wide3 aside = wide_along(along, sine * cos(phi), widen(f.s));
+    return narrow(wide_along(aside, sine * sin(phi), widen(f.t)));
 }

@@ -1,10 +1,13 @@
 #include "chapters/10-importance-sampling/importance.h"
+#include "common/wide3.h"
 
+// 1 - cos θ_max = sin² θ_max / (1 + cos θ_max). Which rays meet the sphere is decided as in
+// sphere_hit, so that the two never disagree.
 real sphere_probability(sphere S, vec3 x, vec3 v) {
-    const vec3 w = sub(S.c, x);
-    const real sin2 = S.r * S.r / dot(w, w);
-    if (!(sin2 < 1)) return 0;
-    const vec3 side = cross(w, v);
-    if (dot(w, v) <= 0 || dot(side, side) > S.r * S.r) return 0;
-    return (1 + sqrt(1 - sin2)) / ((real)(2 * PI) * sin2);
+    const wide3 w = wide_sub(S.c, x), d = widen(v), side = wide_cross(w, d);
+    const double square = wide_dot(w, w), r2 = (double)S.r * S.r;
+    if (!(r2 < square) || wide_dot(w, d) <= 0) return 0;
+    if (wide_dot(side, side) > r2 * wide_dot(d, d)) return 0;
+    const double cos_max = sqrt(square - r2) / sqrt(square);
+    return (real)((1 + cos_max) * square / (2 * PI * r2));
 }

@@ -1,7 +1,8 @@
 #include "chapters/11-fresnel/fresnel.h"
 
-static real left(real sigma, real t) {
-    return sigma > 0 ? exp(-sigma * t) : 1;
+// sigma = 0 apart: 0 times infinity is not a number.
+static real left(double sigma, double t) {
+    return sigma > 0 ? (real)exp(-sigma * t) : 1;
 }
 
 color absorb(color sigma, real t) {

@@ -1,19 +1,19 @@
 #include "chapters/11-fresnel/fresnel.h"
 
-// (a + i b)² = (eta + i k)² - sin²; then R_s and R_p as for a dielectric with the complex
-// cosine.
-static real reflectance(double c, double eta, double k) {
-    const double sin2 = (1 - c) * (1 + c), re = eta * eta - k * k - sin2;
-    const double a2b2 = sqrt(re * re + 4 * eta * eta * k * k);
-    const double a = sqrt(fmax((a2b2 + re) / 2, 0));
-    const double u = a2b2 + c * c, v = 2 * a * c;
-    const double Rs = (u - v) / (u + v);
-    const double p = c * c * a2b2 + sin2 * sin2, q = v * sin2;
-    return (real)(Rs * (1 + (p - q) / (p + q)) / 2);
+// a + i b = sqrt((eta + i k)² - sin²) takes the place of eta cos θ_t. Its square has the
+// real part re and the imaginary part 2 a b = 2 eta k. The larger of a and b is the sum
+// that does not cancel; the other follows from a b.
+static double reflectance(double c, double eta, double k) {
+    const double sin2 = (1 - c) * (1 + c), re = (eta - 1) * (eta + 1) - k * k + c * c;
+    const double a2b2 = hypot(re, 2 * eta * k); // a² + b²
+    const double larger = sqrt((a2b2 + fabs(re)) / 2);
+    const double a = re > 0 ? larger : larger > 0 ? eta * k / larger : 0;
+    const double u = a2b2 + c * c, v = 2 * a * c, Rs = (u - v) / (u + v);
+    const double p = a2b2 * c * c + sin2 * sin2, q = v * sin2;
+    return Rs * (1 + (p - q) / (p + q)) / 2;
 }
 
 color fresnel_conductor(real cosine, color eta, color k) {
-    const double c = cosine;
-    return (color){reflectance(c, eta.x, k.x), reflectance(c, eta.y, k.y),
-                   reflectance(c, eta.z, k.z)};
+    return (color){(real)reflectance(cosine, eta.x, k.x), (real)reflectance(cosine, eta.y, k.y),
+                   (real)reflectance(cosine, eta.z, k.z)};
 }

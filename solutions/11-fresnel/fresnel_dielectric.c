@@ -1,7 +1,7 @@
 #include "chapters/11-fresnel/fresnel.h"
 
-// With g = eta cos of the far side: r_s = (c - g)/(c + g) = -m/(c + g)², m = eta² - 1 =
-// g² - c², where nothing cancels; r_p = r_s (c g - sin²)/(c g + sin²).
+// With g = eta cos θ_t: r_s = (c - g)/(c + g), and c² - g² = -m makes that -m/(c + g)²,
+// where nothing cancels; r_p = r_s (c g - sin²)/(c g + sin²).
 real fresnel_dielectric(real cosine, real eta) {
     const double c = cosine, m = ((double)eta - 1) * ((double)eta + 1), g2 = m + c * c;
     if (m == 0) return 0;

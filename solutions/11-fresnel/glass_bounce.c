@@ -1,7 +1,8 @@
 #include "chapters/11-fresnel/fresnel.h"
 
 vec3 glass_bounce(vec3 d, vec3 n, real eta, rng *g) {
-    const real R = fresnel_dielectric(fmin(-dot(d, n), 1), eta);
+    const real cosine = fmin(fmax(-dot(d, n), 0), 1);
+    const real R = fresnel_dielectric(cosine, eta);
     vec3 t;
     if (rng_real(g) < R || !refract(d, n, eta, &t)) return keep_unit(reflect(d, n));
     return t;

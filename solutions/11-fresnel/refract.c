@@ -1,11 +1,12 @@
 #include "chapters/11-fresnel/fresnel.h"
+#include "common/wide3.h"
 
-// sin² = (1 - c)(1 + c): nothing cancels near the critical angle. eta² cos² of the far side
-// is (eta - 1)(eta + 1) + c².
+// (eta cos θ_t)² = eta² - sin² = (eta - 1)(eta + 1) + cos²: for eta near 1 nothing cancels.
 bool refract(vec3 d, vec3 n, real eta, vec3 *t) {
-    const double e = eta, c = -(double)dot(d, n);
-    const double k = (e - 1) * (e + 1) + c * c;
-    if (!(k >= 0)) return false;
-    *t = keep_unit(scale((real)(1 / e), add(d, scale((real)(c - sqrt(k)), n))));
+    const double e = eta, c = -wide_dot(widen(d), widen(n));
+    const double g2 = (e - 1) * (e + 1) + c * c;
+    if (!(g2 >= 0)) return false;
+    const wide3 eta_t = wide_along(widen(d), c - sqrt(g2), widen(n));
+    *t = keep_unit(narrow(eta_t));
     return true;
 }

@@ -1,0 +1,11 @@
+// Wrong: o is not stretched.
+// Expect: o itself was not stretched by alpha
+#include "chapters/10-importance-sampling/ggx.h"
+
+vec3 ggx_normal(vec3 o, real alpha, rng *g) {
+    const vec3 w = o;
+    const real phi = (real)(2 * PI) * rng_real(g);
+    const real u = rng_real(g), z = 1 - u * (1 + w.z), sine = sqrt(fmax(1 - z * z, 0));
+    const vec3 h = {sine * cos(phi) + w.x, sine * sin(phi) + w.y, fmax(z + w.z, 0)};
+    return normalize((vec3){alpha * h.x, alpha * h.y, h.z});
+}

@@ -1,0 +1,8 @@
+// Wrong: G1 with alpha where alpha² belongs.
+// Expect: G1 with alpha where alpha² belongs
+#include "chapters/10-importance-sampling/ggx.h"
+
+real ggx_normal_probability(vec3 o, vec3 h, real alpha) {
+    const real stretched = sqrt(o.z * o.z + alpha * (o.x * o.x + o.y * o.y));
+    return 2 * fmax(dot(o, h), 0) * ggx_density(h, alpha) / (o.z + stretched);
+}

@@ -1,0 +1,12 @@
+// Wrong: the direction divided by its chance.
+// Expect: the chance cancels, nothing is left of it
+#include "chapters/11-fresnel/fresnel.h"
+
+vec3 glass_bounce(vec3 d, vec3 n, real eta, rng *g) {
+    const real cosine = fmin(fmax(-dot(d, n), 0), 1);
+    const real R = fresnel_dielectric(cosine, eta);
+    const bool mirrored = rng_real(g) < R;
+    vec3 t = d;
+    if (mirrored || !refract(d, n, eta, &t)) return scale(1 / R, keep_unit(reflect(d, n)));
+    return scale(1 / R, t);
+}

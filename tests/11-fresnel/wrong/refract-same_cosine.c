@@ -1,0 +1,12 @@
+// Wrong: only the part in the surface is changed, and the sum made a unit vector.
+// Expect: the same, made a unit vector
+#include "chapters/11-fresnel/fresnel.h"
+
+bool refract(vec3 d, vec3 n, real eta, vec3 *t) {
+
+    const real cosine = -dot(d, n);
+    const vec3 in_surface = add(d, scale(cosine, n));
+    if (!(length(in_surface) <= eta)) return false;
+    *t = normalize(sub(scale(1 / eta, in_surface), scale(cosine, n)));
+    return true;
+}
