@@ -1,0 +1,372 @@
+// 10-sphere.h: the part of 10-importance-sampling.c about the cone in which a sphere is seen.
+#ifndef TESTS_10_SPHERE_H
+#define TESTS_10_SPHERE_H
+
+#include "chapters/10-importance-sampling/importance.h"
+#include "tests/check-directions.h"
+
+// ---- sphere_direction --------------------------------------------------------------
+
+// A sphere as seen from x: the axis to its centre, and 1 - cos θ_max.
+typedef struct {
+    wide3 axis;
+    double distance, far, width; // far: r / distance; width: 1 - cos θ_max
+} cone;
+
+static cone cone_of(sphere S, vec3 x) {
+    const exact3 w = exact_sub(S.c, x);
+    const exact square = exact_dot(w, w), r2 = (exact)S.r * S.r;
+    const double width = (double)(r2 / (square + exact_sqrt(square * (square - r2))));
+    const double d = (double)exact_sqrt(square);
+    return (cone){{(double)w.x / d, (double)w.y / d, (double)w.z / d}, d, S.r / d, width};
+}
+
+// (1 - cos θ) / (1 - cos θ_max), uniform in [0, 1]. 1 - cos θ is half the square of v - axis.
+static double height_in(cone k, vec3 v) {
+    const double size = wide_length(v);
+    const wide3 off = {v.x / size - k.axis.x, v.y / size - k.axis.y, v.z / size - k.axis.z};
+    return wide_dot(off, off) / 2 / k.width;
+}
+
+// How far beyond the rim the roundings of v, and of the cone, may put a draw: in heights.
+static double rim(cone k) {
+    const double inside = 32 * DBL_EPSILON / sqrt(1 - k.far * k.far); // near r = d, in double
+    return 8 * (double)REAL_EPSILON * k.far / k.width + inside;
+}
+
+static sphere sphere_at(vec3 x, double distance, double r, rng *g) {
+    return (sphere){add(x, scale((real)distance, generic_unit(g))), (real)r};
+}
+
+// Seen large and small, tiny and huge themselves, from near and far: distance and radius.
+static const double seen[][2] = {{3, 1},       {1.5, 1.2},      {1.01, 1},    {40, 1},
+                                 {1e4, 1},     {3e-7, 1e-7},    {5e-8, 2e-9}, {2e7, 1.5e7},
+                                 {1.00001, 1}, {1.0001e6, 1e6}, {1e3, 1},     {8e9, 7e8}};
+
+// x near the origin, so that rounding S.c does not change much what is seen.
+static sphere seen_sphere(int i, vec3 *x, rng *g) {
+    const double *s = seen[i % COUNT(seen)];
+    *x = scale((real)s[0], in_cube(g));
+    sphere S;
+    do S = sphere_at(*x, s[0], s[1], g);
+    while (!(cone_of(S, *x).far < 1));
+    return S;
+}
+
+#define GIVEN_SPHERE(S, x, what)                                                          \
+    given("sphere c = " VEC ", r = %.9g, seen from x = " VEC ", r/|x - c| = %.9g: " what, \
+          ARG((S).c), (double)(S).r, ARG(x), cone_of(S, x).far)
+
+static void check_meets(sphere S, vec3 x, vec3 v) {
+    const cone k = cone_of(S, x);
+    GIVEN_SPHERE(S, x, "a draw");
+    CHECK(is_finite(v), "finite, no NaN");
+    CHECK_REAL(wide_length(v), 1, roundings(16, "a unit vector, made by a frame"));
+    const double height = height_in(k, v);
+    given("sphere c = " VEC ", r = %.9g, seen from x = " VEC ": the draw " VEC
+          " has (1 - cos θ) / (1 - cos θ_max) = %.6g",
+          ARG(S.c), (double)S.r, ARG(x), ARG(v), height);
+    CHECK(height <= 1 + rim(k), "the ray (x, v) meets the sphere: v lies in the cone");
+}
+
+static void sphere_meets(void) {
+    rng g = check_rng(11);
+    for (int i = 0; i < 1200; i++) {
+        vec3 x;
+        const sphere S = seen_sphere(i, &x, &g);
+        repeats r = {0};
+        for (int k = 0; k < 50; k++) {
+            const vec3 v = sphere_direction(S, x, &g);
+            check_meets(S, x, v);
+            count_repeat(&r, v);
+        }
+        if (cone_of(S, x).far < 0.01) continue; // tiny: another mistake's test
+        GIVEN_SPHERE(S, x, "50 draws, most of them the first again");
+        CHECK(r.alike < 25, "the draws differ: is g used, and handed on?");
+    }
+}
+
+// What the height would be on average for a uniform point of the sphere (whole: the far
+// side too), by its angle at the centre.
+static double height_by_area(double far, bool whole) {
+    const double cos_max = sqrt(1 - far * far), width = far * far / (1 + cos_max);
+    const double lowest = whole ? -1 : far;
+    double sum = 0;
+    enum { STEPS = 20000 };
+    for (int i = 0; i < STEPS; i++) {
+        const double c = lowest + (1 - lowest) * (i + 0.5) / STEPS, s = sqrt(1 - c * c);
+        sum += (1 - cos(atan2(far * s, 1 - far * c))) / width;
+    }
+    return sum / STEPS;
+}
+
+static const char *const spread =
+    "the draws spread over the cone, not only its middle: did 1 - cos θ_max cancel to 0?";
+
+static void sphere_mean(void) {
+    rng g = check_rng(12);
+    for (int i = 0; i < 2 * COUNT(seen); i++) {
+        vec3 x;
+        const sphere S = seen_sphere(i, &x, &g);
+        const cone k = cone_of(S, x);
+        running height = {0};
+        for (int n = 0; n < 10000; n++)
+            running_add(&height, height_in(k, sphere_direction(S, x, &g)));
+        GIVEN_SPHERE(S, x, "the mean of (1 - cos θ) / (1 - cos θ_max) over 10,000 draws");
+        suspect_value(
+            "uniform points of the whole sphere, also of the side that is turned away",
+            height_by_area(k.far, true));
+        suspect_value("uniform points of the side that is seen: they crowd towards the rim",
+                      height_by_area(k.far, false));
+        suspect_value("too many in the middle: the angle, or the radius of a disc, was uniform",
+                      1.0 / 3);
+        suspect_value("θ_max as if r/d were its tangent: it is the sine",
+                      0.5 * (1 - 1 / sqrt(1 + k.far * k.far)) / k.width);
+        CHECK(height.mean > 0.01, spread);
+        CHECK_REAL(height.mean, 0.5,
+                   standard_errors(5, running_standard_error(&height) + rim(k) / 100));
+    }
+}
+
+static void sphere_cells(void) {
+    rng g = check_rng(13);
+    for (int i = 0; i < COUNT(seen); i++) {
+        vec3 x;
+        const sphere S = seen_sphere(i, &x, &g);
+        const cone k = cone_of(S, x);
+        const vec3 axis = normalize(narrow(k.axis));
+        tally t = {0};
+        for (int n = 0; n < 30000; n++) {
+            const vec3 v = sphere_direction(S, x, &g);
+            const wide3 aside = wide_along(widen(v), -1, k.axis);
+            const vec3 off = narrow((wide3){aside.x / k.far, aside.y / k.far, aside.z / k.far});
+            tally_add(&t, height_in(k, v), turn(off, axis));
+        }
+        GIVEN_SPHERE(S, x,
+                     "30,000 draws counted in 8 x 12 cells of 1 - cos θ and of the angle "
+                     "about the axis, all equally likely for the uniform cone");
+        CHECK_UNIFORM(&t);
+    }
+}
+
+// r/|x - c| = 1e-6: a float direction has no more than some ten steps across the cone.
+static void sphere_tiny(void) {
+    rng g = check_rng(14);
+    for (int i = 0; i < 12; i++) {
+        const vec3 x = in_cube(&g);
+        const double distance = pow(10, i % 4 - 1);
+        const sphere S = sphere_at(x, 1e3 * distance, 1e-3 * distance, &g);
+        const cone k = cone_of(S, x);
+        const vec3 axis = normalize(narrow(k.axis)), side = perpendicular(axis);
+        running height = {0}, aside = {0};
+        for (int n = 0; n < 10000; n++) {
+            const vec3 v = sphere_direction(S, x, &g);
+            const wide3 off = wide_along(widen(v), -1, k.axis);
+            running_add(&height, height_in(k, v));
+            running_add(&aside, wide_dot(off, widen(side)) / k.far);
+        }
+        GIVEN_SPHERE(S, x, "the mean of (1 - cos θ) / (1 - cos θ_max) over 10,000 draws");
+        CHECK(height.mean > 0.01, spread);
+        const double grain = 0.02 * (double)REAL_EPSILON / (double)FLT_EPSILON;
+        CHECK_REAL(height.mean, 0.5,
+                   standard_errors(5, running_standard_error(&height) + grain));
+        GIVEN_SPHERE(S, x,
+                     "the mean distance of 10,000 draws from the axis, to one side, in "
+                     "units of the cone");
+        CHECK_REAL(aside.mean, 0, standard_errors(5, running_standard_error(&aside) + grain));
+    }
+}
+
+static void sphere_rare(void) {
+    rng g = check_rng(15);
+    for (int i = 0; i < 3 * RARE; i++) {
+        vec3 x;
+        const sphere S = seen_sphere(i / 3, &x, &g);
+        rng rare = drawing_rare(i);
+        check_meets(S, x, sphere_direction(S, x, &rare));
+    }
+}
+
+// A sphere of radius 1 whose centre lies h above x's horizon and `aside` beside it.
+static sphere sphere_above(vec3 x, vec3 n, double size, double h, double aside) {
+    const vec3 across = scale((real)(aside * size), perpendicular(n));
+    return (sphere){add(x, add(scale((real)(h * size), n), across)), (real)size};
+}
+
+// E = π L (R/d)² cos θ above the horizon; the others by independent integration.
+static void sphere_light(void) {
+    static const struct {
+        double h, aside, E;
+    } rows[] = {{1.5, 0, 1.396263401595},
+                {2, 0, 0.785398163397},
+                {2, 1.5, PI * 2 / (6.25 * 2.5)},
+                {0.5, 2, 0.196801876179},
+                {0, 2, 0.090586073706}};
+    rng g = check_rng(16);
+    for (int i = 0; i < COUNT(rows); i++) {
+        const vec3 n = generic_unit(&g), x = in_cube(&g);
+        const sphere S = sphere_above(x, n, between(&g, 0.3, 3), rows[i].h, rows[i].aside);
+        running E = {0};
+        for (int k = 0; k < 40000; k++) {
+            const vec3 v = sphere_direction(S, x, &g);
+            running_add(&E, fmax(cosine(v, n), 0) * 2 * PI * cone_of(S, x).width);
+        }
+        given(
+            "a sphere of radiance 1, its centre %g radii above the surface and %g beside: its "
+            "irradiance from 40,000 draws",
+            rows[i].h, rows[i].aside);
+        CHECK_REAL(E.mean, rows[i].E, standard_errors(5, running_standard_error(&E) + 1e-7));
+    }
+}
+
+// Straight above at h = 3R, c = cos θ_max: the variance of one draw, in units of the squared radiance
+// of the lamp times the albedo's, is (1 - c)^4 / 3 for the cone, (1 - c²) c² for
+// cosine_direction, 4 (1 - c³) / 3 - (1 - c²)² for the uniform hemisphere.
+typedef struct {
+    double uniform, cosine, cone, mean;
+} variances;
+
+static variances variances_at(double h) {
+    const double c2 = 1 - 1 / (h * h), c = sqrt(c2);
+    return (variances){4 * (1 - c2 * c) / 3 - (1 - c2) * (1 - c2), (1 - c2) * c2,
+                       pow(1 - c, 4) / 3, 1 - c2};
+}
+
+// Of (x - mean)², the mean and its standard error.
+static void add_square(running *s, double x, double mean) {
+    running_add(s, (x - mean) * (x - mean));
+}
+
+static void sphere_variance(void) {
+    rng g = check_rng(17);
+    const variances v = variances_at(3);
+    const vec3 n = generic_unit(&g), x = in_cube(&g);
+    const sphere S = sphere_above(x, n, 0.8, 3, 0);
+    running towards = {0}, by_cosine = {0};
+    for (int k = 0; k < 60000; k++) {
+        const double c = cosine(sphere_direction(S, x, &g), n);
+        add_square(&towards, 2 * cone_of(S, x).width * c, v.mean);
+        const ray r = {x, cosine_direction(n, &g)};
+        add_square(&by_cosine, sphere_hit(S, r, 0, NO_HIT) < NO_HIT, v.mean);
+    }
+    given(
+        "a sphere of radiance 1 at 3 radii straight above a white surface: the variance of one "
+        "draw in its cone, (1 - cos θ_max)^4 / 3");
+    CHECK_REAL(towards.mean, v.cone, standard_errors(5, running_standard_error(&towards)));
+    given("the same sphere: the variance of one draw of cosine_direction, 8/81");
+    CHECK_REAL(by_cosine.mean, v.cosine,
+               standard_errors(5, running_standard_error(&by_cosine)));
+}
+
+// ---- sphere_probability --------------------------------------------------------------
+
+static double cone_density(cone k) {
+    return 1 / (2 * PI * k.width);
+}
+
+static void suspect_cones(cone k) {
+    const double cos_max = 1 - k.width, sin2 = k.far * k.far;
+    const real in_real = (real)sqrt(1 - (real)sin2);
+    suspect_value("1 - cos θ_max worked out as a difference: it cancels for small cones",
+                  (double)(1 / ((real)(2 * PI) * (1 - in_real))));
+    suspect_value("1 / (π (1 - cos θ_max)): half the cone's solid angle", 1 / (PI * k.width));
+    suspect_value("1 / (2π cos θ_max)", 1 / (2 * PI * cos_max));
+    suspect_value("1 / (π sin² θ_max): a flat disc, right for small cones only",
+                  1 / (PI * sin2));
+    suspect_value("1 / (4π r²): per area of the sphere, not per steradian",
+                  1 / (4 * PI * sin2 * k.distance * k.distance));
+    suspect_value("d² / (4π r²): per area of the whole sphere, not uniform in the cone",
+                  1 / (4 * PI * sin2));
+    suspect_value("the solid angle itself: the density is 1 divided by it", 2 * PI * k.width);
+    suspect_value("1/(2π): the whole hemisphere", 0.5 / PI);
+}
+
+static void sphere_density(void) {
+    rng g = check_rng(21);
+    for (int i = 0; i < 400; i++) {
+        const vec3 x = in_cube(&g);
+        const double distance = between(&g, 1, 4), r = between(&g, 0.2, 0.9);
+        const sphere S = sphere_at(x, distance, r, &g);
+        const cone k = cone_of(S, x);
+        const wide3 near = wide_along(k.axis, 0.5 * k.far, widen(in_cube(&g)));
+        const vec3 v = normalize(narrow(near));
+        if (height_in(k, v) > 0.99) continue;
+        GIVEN_SPHERE(S, x, "the density in the cone");
+        suspect_cones(k);
+        suspect_value("0: as if the ray missed; is v's side of x or of the sphere confused?",
+                      0);
+        CHECK_REAL(sphere_probability(S, x, v), cone_density(k), double_inside(10));
+    }
+}
+
+// From a millionth of the distance to a millionth above the surface.
+static void sphere_density_extremes(void) {
+    const double gaps[] = {1e6, 1e5, 1e4, 1e3, 100, 10, 1, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+    rng g = check_rng(22);
+    for (int i = 0; i < 40 * COUNT(gaps); i++) {
+        const double r = pow(10, i % 3 * 4 - 4), gap = gaps[i % COUNT(gaps)];
+        const sphere S = {scale((real)r, in_cube(&g)), (real)r};
+        const vec3 x = add(S.c, scale((real)(r * (1 + gap)), generic_unit(&g)));
+        const cone k = cone_of(S, x);
+        if (!(k.far < 1)) continue;
+        const vec3 v = normalize(narrow(k.axis));
+        GIVEN_SPHERE(S, x, "the density on the axis");
+        const real d2 = dot(sub(S.c, x), sub(S.c, x)), sin2 = S.r * S.r / d2;
+        if (k.far > 0.9)
+            suspect_value("1 - r²/d² in real arithmetic: close to the sphere it cancels",
+                          (double)((1 + sqrt(fmax(1 - sin2, 0))) / ((real)(2 * PI) * sin2)));
+        suspect_cones(k);
+        CHECK_REAL(sphere_probability(S, x, v), cone_density(k),
+                   double_inside(1 + 1 / sqrt(gap)));
+    }
+}
+
+static void sphere_density_zero(void) {
+    rng g = check_rng(23);
+    for (int i = 0; i < 4000; i++) {
+        vec3 x;
+        const sphere S = seen_sphere(i, &x, &g);
+        const cone k = cone_of(S, x);
+        const double off = 2 * k.far * rng_double(&g);
+        const vec3 aside = perpendicular(normalize(narrow(k.axis)));
+        const vec3 v = normalize(narrow(wide_along(k.axis, off, widen(aside))));
+        const ray r = {x, v};
+        const double miss = fabs(height_in(k, v) - 1);
+        if (miss < rim(k)) continue; // the rim itself: rounding decides
+        GIVEN_SPHERE(S, x, "a direction inside the cone or outside: 0 where the ray misses");
+        CHECK_BOOL(sphere_probability(S, x, v) > 0, sphere_hit(S, r, 0, NO_HIT) < NO_HIT);
+        GIVEN_SPHERE(S, x, "straight away from it: the sphere lies behind");
+        suspect_value("the cone's density: a sphere behind x is not seen along v",
+                      cone_density(k));
+        CHECK_REAL(sphere_probability(
+                       S, x, normalize(narrow((wide3){-k.axis.x, -k.axis.y, -k.axis.z}))),
+                   0, exactly());
+    }
+    for (int i = 0; i < 500; i++) {
+        const vec3 c = in_cube(&g), off = generic_unit(&g);
+        const sphere S = {c, (real)between(&g, 0.1, 5)};
+        const vec3 x = add(S.c, scale(S.r * (real)0.99 * rng_real(&g), off));
+        given("sphere c = " VEC ", r = %.9g, and x = " VEC " in it", ARG(S.c), (double)S.r,
+              ARG(x));
+        CHECK_REAL(sphere_probability(S, x, generic_unit(&g)), 0, exactly());
+    }
+}
+
+static void sphere_belongs(void) {
+    rng g = check_rng(24);
+    for (int i = 0; i < 4 * COUNT(seen); i++) {
+        vec3 x;
+        const sphere S = seen_sphere(i, &x, &g);
+        const cone k = cone_of(S, x);
+        running all = {0};
+        for (int n = 0; n < 500; n++) {
+            const vec3 v = sphere_direction(S, x, &g);
+            if (height_in(k, v) > 1 - rim(k)) continue;
+            running_add(&all, 1 / (double)sphere_probability(S, x, v));
+        }
+        GIVEN_SPHERE(S, x, "the mean of 1/p over 500 draws: the cone's solid angle");
+        CHECK_REAL(all.mean, 2 * PI * k.width, double_inside(1000));
+    }
+}
+
+#endif
