@@ -430,6 +430,12 @@ static void reflect_nearly_nothing(void) {
     }
 }
 
+// Within a few roundings of a double nobody can tell on which side of the critical angle.
+static bool certain_side(real c, double eta) {
+    const exact g2 = ((exact)eta - 1) * ((exact)eta + 1) + (exact)c * c;
+    return g2 > 8 * DBL_EPSILON || g2 < -8 * DBL_EPSILON;
+}
+
 // On both sides of the critical angle, down to the next number.
 static void reflect_critical(void) {
     const double offs[] = {0, 1e-6, 1e-4, 1e-2};
@@ -439,10 +445,8 @@ static void reflect_critical(void) {
         const real c = (real)sqrt((1 - eta) * (1 + eta));
         const real up = off > 0 ? (real)((double)c * (1 + off)) : nextafter(c, (real)1);
         const real down = off > 0 ? (real)((double)c * (1 - off)) : nextafter(c, (real)0);
-        check_reflectance(up, eta);
-        const exact g2 = (exact)eta * eta - 1 + (exact)down * down;
-        if (g2 > -4 * DBL_EPSILON) continue; // in double the side is then not certain
-        check_reflectance(down, eta);
+        if (certain_side(up, eta)) check_reflectance(up, eta);
+        if (certain_side(down, eta)) check_reflectance(down, eta);
     }
 }
 
