@@ -828,7 +828,7 @@ static void nearest_of_all(void) {
     rng g = rng_seed(6, 26);
     const vec3 points[] = {{2, 0, -6}, {0, 2, -5}, {-1, -1, -7}, {1, 2, -4}};
     const int corners[][3] = {{0, 1, 2}, {1, 3, 2}};
-    const mesh body = {points, NULL, corners, COUNT(corners)};
+    const mesh body = {.points = points, .corners = corners, .count = COUNT(corners)};
     const sphere S[2] = {{{0, 0, -5}, 1}, {{(real)0.6, (real)0.4, -6}, (real)1.5}};
     const plane P[2] = {{{0, -1, 0}, {(real)0.1, 1, (real)0.2}}, {{0, 0, -8}, {0, 0, 2}}};
     const material m[5] = {{0}};

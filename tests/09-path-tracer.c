@@ -475,7 +475,8 @@ static void lamp_scene_of(lamp_scene *l, const frame *F, const lamp_case *k, rea
     l->floor = (plane){place(F, (vec3){0, 0, 0}), scale((real)0.7, F->y)};
     l->points[0] = place(F, k->c), l->points[1] = place(F, add(k->c, k->u));
     l->points[2] = place(F, far), l->points[3] = place(F, add(k->c, k->v));
-    l->square = (mesh){l->points, NULL, square_corners, COUNT(square_corners)};
+    l->square =
+        (mesh){.points = l->points, .corners = square_corners, .count = COUNT(square_corners)};
     l->skins[k->square ? 0 : 1] = stone, l->skins[k->square ? 1 : 0] = lamp;
     l->sc = (room){{.planes = &l->floor, .plane_count = 1}, l->skins};
     if (k->square) l->sc.bodies.meshes = &l->square, l->sc.bodies.mesh_count = 1;
@@ -582,7 +583,7 @@ static void odd_scene_of(odd_scene *o, rng *g) {
     for (int i = 0; i < 2; i++) o->walls[i] = (plane){scale(size, in_cube(g)), generic_unit(g)};
     for (int i = 0; i < 3; i++) o->points[i] = scale(size, in_cube(g));
     for (int i = 0; i < 7; i++) o->skins[i] = some_matte(g);
-    o->flake = (mesh){o->points, NULL, flake_corners, 1};
+    o->flake = (mesh){.points = o->points, .corners = flake_corners, .count = 1};
     o->sc = (room){{.spheres = o->balls,
                     .sphere_count = 4,
                     .planes = o->walls,

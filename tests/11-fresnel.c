@@ -1095,7 +1095,7 @@ static void add_box(workshop *w, vec3 c, vec3 half, substance s) {
     for (int i = 0; i < 8; i++)
         p[i] = add(c, (vec3){i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y,
                              i & 4 ? half.z : -half.z});
-    w->meshes[w->mesh_count++] = (mesh){p, NULL, box_corners, 12};
+    w->meshes[w->mesh_count++] = (mesh){.points = p, .corners = box_corners, .count = 12};
     w->substances[body_count(w) - 1] = s;
 }
 

@@ -13,7 +13,7 @@ hit hit_at(ray r, real t, vec3 n) {
 // plane_hit's two dot products in double: nothing beside float's roundings, all that
 // counts where real is double.
 hit plane_surface(plane P, ray r, real t) {
-    hit h = hit_at(r, t, normalize(P.n));
+    hit h = hit_at(r, t, dot(P.n, P.n) == 1 ? P.n : normalize(P.n));
     const vec3 summed = add(absolute(sub(P.x, r.O)), absolute(scale(t, r.d)));
     h.error = add(h.error, scale((real)(4 * DBL_EPSILON), summed));
     return h;

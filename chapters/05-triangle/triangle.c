@@ -56,8 +56,17 @@ hit triangle_surface(triangle T, ray r, triangle_point q) {
 
 // ---- many ------------------------------------------------------------------------
 
+// Is the line of the ray at most r from the centre? |v x d| / |d| is its distance. The
+// double arithmetic may be wrong by some roundings: a sphere is made larger by more.
+static bool may_meet(sphere S, ray r) {
+    const wide3 d = widen(r.d), w = wide_cross(wide_sub(r.O, S.c), d);
+    const double rr = (double)S.r * S.r;
+    return !(wide_dot(w, w) > (1 + 1e-12) * rr * wide_dot(d, d));
+}
+
 triangle_point mesh_hit(const mesh *m, ray r, real t_min, real t_max, int *index) {
     triangle_point nearest = {NO_HIT, 0, 0};
+    if (m->around.r > 0 && !may_meet(m->around, r)) return nearest;
     for (int i = 0; i < m->count; i++) {
         const triangle_point q = triangle_hit(mesh_triangle(m, i), r, t_min, t_max);
         if (q.t == NO_HIT) continue;
@@ -120,7 +129,11 @@ mesh mesh_torus(vec3 centre, vec3 axis, real ring, real tube, int around, int ac
     int(*corners)[3] = room_for(2 * count, sizeof *corners);
     torus_points(points, normals, centre, axis, ring, tube, around, across);
     torus_corners(corners, around, across);
-    return (mesh){points, normals, (const int(*)[3])corners, 2 * count};
+    return (mesh){.points = points,
+                  .normals = normals,
+                  .corners = (const int(*)[3])corners,
+                  .count = 2 * count,
+                  .around = {centre, (ring + tube) * (1 + 8 * REAL_EPSILON)}};
 }
 
 void mesh_free(mesh *m) {

@@ -37,6 +37,7 @@ typedef struct {
     const vec3 *normals;     // one a point, unit; or NULL: flat
     const int (*corners)[3]; // indices of points
     int count;               // of triangles
+    sphere around;           // holds all points: what misses it misses all; r = 0: unknown
 } mesh;
 
 static inline triangle mesh_triangle(const mesh *m, int i) {

@@ -45,7 +45,7 @@ static const vec3 points[] = {
     {(real)1.8, (real)0.75, (real)1.1}, {(real)2.4, (real)0.75, (real)-0.1}};
 static const int corners[][3] = {{0, 4, 2}, {0, 2, 5}, {0, 5, 3}, {0, 3, 4},
                                  {1, 2, 4}, {1, 5, 2}, {1, 3, 5}, {1, 4, 3}};
-static const mesh octahedron = {points, NULL, corners, COUNT(corners)};
+static const mesh octahedron = {.points = points, .corners = corners, .count = COUNT(corners)};
 static const material copper = {
     .finish = FUZZY, .albedo = PAINT(0.9, 0.55, 0.4), .fuzz = (real)0.15};
 

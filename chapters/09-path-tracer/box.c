@@ -23,7 +23,10 @@ static const plane walls[] = {
 static const vec3 lamp_points[] = {V(-0.5, 1.98, -0.6), V(0.5, 1.98, -0.6), V(0.5, 1.98, 0.4),
                                    V(-0.5, 1.98, 0.4)};
 static const int lamp_corners[][3] = {{0, 1, 2}, {0, 2, 3}};
-static const mesh lamp = {lamp_points, NULL, lamp_corners, COUNT(lamp_corners)};
+static const mesh lamp = {.points = lamp_points,
+                          .corners = lamp_corners,
+                          .count = COUNT(lamp_corners),
+                          .around = {V(0, 1.98, -0.1), (real)0.708}}; // half the diagonal
 
 const scene box_bodies = {.spheres = balls,
                           .sphere_count = COUNT(balls),

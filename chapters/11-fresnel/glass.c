@@ -149,7 +149,8 @@ static color walk_light(const glass_room *sc, walk *w, int s, rng *g) {
     return w->L;
 }
 
-color glass_trace(const glass_room *sc, ray r, int s, rng *g) {
+// flatten: see light_trace of chapter 10.
+__attribute__((flatten)) color glass_trace(const glass_room *sc, ray r, int s, rng *g) {
     walk w = {.r = {r.O, normalize(r.d)}, .C = {1, 1, 1}, .in = sc->start};
     const real n = index_in(sc, &w.in);
     return scale(n * n, walk_light(sc, &w, s, g));
