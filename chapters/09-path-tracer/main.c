@@ -18,7 +18,8 @@ static color look(const void *data, ray r, rng *g) {
 }
 
 static image draw(const options *opt, const camera *cam, job j) {
-    return render("09-path-tracer", cam, look, &j, opt);
+    const bool slip = j.trace == trace_ray_slide; // the reader shall know whose samples are bad
+    return render(slip ? "09-path-tracer, by the slide" : "09-path-tracer", cam, look, &j, opt);
 }
 
 // Pictures of one height, from left to right in one. Frees them.

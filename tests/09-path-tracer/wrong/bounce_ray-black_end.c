@@ -1,5 +1,5 @@
 // Wrong: black where no bounce is left: what the last hit emits is lost.
-// Expect: one bounce less than s
+// Expect: no emission where the path ends
 #include "chapters/09-path-tracer/path.h"
 
 color bounce_ray(const room *sc, const matte *m, ray r, hit h, int s, rng *g) {

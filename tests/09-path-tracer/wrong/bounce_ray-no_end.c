@@ -1,5 +1,6 @@
 // Wrong: s is never looked at nor counted down.
 // Expect: endless
+// Expect: a bounce is made although s is 0
 #include "chapters/09-path-tracer/path.h"
 
 color bounce_ray(const room *sc, const matte *m, ray r, hit h, int s, rng *g) {

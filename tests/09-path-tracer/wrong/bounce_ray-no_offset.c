@@ -1,5 +1,6 @@
 // Wrong: the next ray starts at the hit itself.
 // Expect: does it start off the surface, on the right side?
+// Expect: meets its own surface at once
 #include "chapters/09-path-tracer/path.h"
 
 color bounce_ray(const room *sc, const matte *m, ray r, hit h, int s, rng *g) {

@@ -1,5 +1,5 @@
 // Wrong: directions of the whole sphere, also into the surface.
-// Expect: of which are negative
+// Expect: is v always on the side of n
 #include "chapters/09-path-tracer/path.h"
 
 color bounce_ray(const room *sc, const matte *m, ray r, hit h, int s, rng *g) {

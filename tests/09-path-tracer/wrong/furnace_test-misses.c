@@ -1,5 +1,6 @@
 // Wrong: aims past the ball now and then: those rays see the sky.
 // Expect: every ray meets the ball
+// Expect: the furnace itself
 #include "chapters/09-path-tracer/path.h"
 
 enum { BOUNCES = 10 }; // one is enough for a right tracer

@@ -1,5 +1,5 @@
 // Wrong: the truth without the emission.
-// Expect: what is the truth here?
+// Expect: What is the truth here?
 #include "chapters/09-path-tracer/path.h"
 
 enum { BOUNCES = 10 }; // one is enough for a right tracer

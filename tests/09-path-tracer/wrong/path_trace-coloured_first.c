@@ -1,5 +1,5 @@
 // Wrong: C is coloured by the surface before its emission is collected.
-// Expect: C is coloured before it collects
+// Expect: C is coloured before L collects
 #include "chapters/09-path-tracer/path.h"
 
 color path_trace(const room *sc, ray r, int s, rng *g) {

@@ -1,5 +1,5 @@
 // Wrong: s is looked at before the emission is collected.
-// Expect: one bounce less than s
+// Expect: L collects before bounce == s ends the path
 #include "chapters/09-path-tracer/path.h"
 
 color path_trace(const room *sc, ray r, int s, rng *g) {

@@ -1,5 +1,6 @@
 // Wrong: roulette ends paths, and those that go on do not carry their light.
 // Expect: C must be scaled by what roulette gives
+// Expect: does C carry 1/q
 #include "chapters/09-path-tracer/path.h"
 
 color path_trace(const room *sc, ray r, int s, rng *g) {
