@@ -41,20 +41,39 @@ static void check_variance(const running *s, double want) {
 
 // ---- estimate_pi -------------------------------------------------------------------
 
+static const char *const stands =
+    "g went on: draw from g itself, not from a copy (rng h = *g) and not from a generator "
+    "seeded here";
+static const char *const all_the_same =
+    "all points are the same: draw from g itself, not from a copy, and seed nothing here";
+
+static bool same_state(rng a, rng b) {
+    return a.state == b.state && a.increment == b.increment;
+}
+
 static void pi_not_a_quarter(void) {
     rng g = check_rng(1);
+    const rng before = g;
     const estimate e = estimate_pi(1000000, &g);
-    given("n = 1,000,000 random points");
+    const double value = e.value;
+    given("n = 1,000,000 random points; got the value %g", value);
+    CHECK(!same_state(g, before), stands);
+    suspect_value("the standard error: value and standard_error are swapped",
+                  sqrt(PI * (4 - PI) / 1e6));
+    suspect_value(all_the_same, 0);
     suspect_value("π/4, the share itself, as on the slide", PI / 4);
     suspect_value("16 times the share: multiplied by 4 twice", 4 * PI);
     suspect_value("the circle has a quarter of this area of the square: is x in [-1, 1)?",
                   2 * PI);
-    suspect_value("every point is in the circle: x and y from one draw, or x² + y² <= 1 wrong?",
-                  4);
+    suspect_value(
+        "every point is in the circle: are all points the same? Or x and y from one draw, or "
+        "x² + y² <= 1 wrong?",
+        4);
     suspect_value("|x| + |y| <= 1, a square on its corner", 2);
     suspect_value("x = y: are two numbers drawn for each point?", 4 * sqrt(0.5));
-    CHECK_REAL(e.value, PI, standard_errors(5, sqrt(PI * (4 - PI) / 1e6)));
-    CHECK_INT(e.n, 1000000);
+    CHECK_REAL(value, PI, standard_errors(5, sqrt(PI * (4 - PI) / 1e6)));
+    const long n = e.n;
+    CHECK_INT(n, 1000000);
 }
 
 static void pi_error_at_a_million(void) {
@@ -69,7 +88,9 @@ static void pi_error_at_a_million(void) {
     suspect_value("sqrt(p / n): the factor 1 - p is missing", 4 * sqrt(PI / 4 / 1e6));
     suspect_value("sqrt(π / n): the variance of a count that can be any number",
                   sqrt(PI / 1e6));
-    CHECK_REAL(estimate_pi(1000000, &g).standard_error, want,
+    suspect_value("the value: value and standard_error are swapped", PI);
+    const double standard_error = estimate_pi(1000000, &g).standard_error;
+    CHECK_REAL(standard_error, want,
                relative_to(0.01, "p is known to 0.05 %; 5 standard errors of this are 0.1 %"));
 }
 
@@ -90,22 +111,34 @@ static void pi_error_formula(void) {
         suspect_factor("that of π/4: the factor 4 is missing", 0.25);
         suspect_value("the variance: the square root is missing", want * want);
         suspect_value("of one point: the division by n - 1 is missing", 4 * sqrt(p * (1 - p)));
-        CHECK_REAL(e.standard_error, want,
+        const double standard_error = e.standard_error;
+        CHECK_REAL(standard_error, want,
                    absolute_of(1e-11, "n - 1 in double, p(1 - p) up to its rounding"));
         const double inside = p * (double)n;
-        CHECK(fabs(inside - round(inside)) < 1e-6 * (1 + inside) / (1 + inside),
-              "value n/4 is the number of points inside, a whole number");
-        CHECK_INT(e.n, n);
+        const bool is_whole = fabs(inside - round(inside)) < 1e-6;
+        given("n = %ld, value %.9g: value n/4 = %.9g", n, e.value, inside);
+        CHECK(is_whole, "value n/4 is the number of points inside, a whole number");
+        const long evaluations = e.n;
+        CHECK_INT(evaluations, n);
     }
+}
+
+// Of n = 1, after given().
+static void check_error_of_one(double standard_error) {
+    CHECK(!isnan(standard_error), "not NaN: n - 1 is 0 here, and 0/0 is not a number; "
+                                  "n = 1 needs a case of its own: INFINITY");
+    suspect_value("no special case for n = 1: one value does not tell its spread: INFINITY", 0);
+    CHECK_REAL(standard_error, INFINITY, exactly());
 }
 
 static void pi_one_point(void) {
     rng g = check_rng(4);
     for (int i = 0; i < 20; i++) {
         const estimate e = estimate_pi(1, &g);
-        given("n = 1: the value is %g", e.value);
-        CHECK(e.value == 0 || e.value == 4, "one point is in the circle or not: 0 or 4");
-        CHECK_REAL(e.standard_error, INFINITY, exactly());
+        const double value = e.value;
+        given("n = 1: the value is %g", value);
+        CHECK(value == 0 || value == 4, "one point is in the circle or not: 0 or 4");
+        check_error_of_one(e.standard_error);
     }
 }
 
@@ -115,9 +148,10 @@ static void pi_mean_and_variance(void) {
     running s = {0};
     for (int i = 0; i < RUNS; i++) running_add(&s, estimate_pi(N, &g).value);
     given("the mean of 4000 estimates with 500 points each");
-    CHECK(s.max > s.min, "another estimate in each run: is g the caller's, and used?");
+    const double least = s.min, most = s.max, mean = s.mean;
+    CHECK(least < most, "another estimate in each run: is g the caller's, and used?");
     suspect_value("π/4", PI / 4);
-    CHECK_REAL(s.mean, PI, standard_errors(5, sqrt(PI * (4 - PI) / (double)(N * RUNS))));
+    CHECK_REAL(mean, PI, standard_errors(5, sqrt(PI * (4 - PI) / (double)(N * RUNS))));
     given("the variance of 4000 estimates with 500 points each: π(4 - π)/500");
     check_variance(&s, PI * (4 - PI) / N);
 }
@@ -163,8 +197,8 @@ static void pi_many_points(void) {
     suspect_value("a float counter: it stops at 2^24", 4.0 * 16777216 / (double)n);
     suspect_value("two float counters: both stop at 2^24", 4);
     suspect_value("n stopped at 2^24 in float", 4.0 * PI / 4 * (double)n / 16777216);
-    CHECK_REAL(estimate_pi(n, &g).value, PI,
-               standard_errors(5, sqrt(PI * (4 - PI) / (double)n)));
+    const double value = estimate_pi(n, &g).value;
+    CHECK_REAL(value, PI, standard_errors(5, sqrt(PI * (4 - PI) / (double)n)));
 }
 
 // ---- monte_carlo -------------------------------------------------------------------
@@ -185,7 +219,8 @@ static double tell(const void *data, const double *x) {
 static estimate of_list(const double *values, long count, long n, rng *g) {
     told t = {values, count, 0}, *const at = &t;
     const estimate e = monte_carlo(tell, &at, 2, n, g);
-    CHECK(t.calls == n, "f is called once for each of the n points");
+    const long calls_of_f = t.calls;
+    CHECK(calls_of_f == n, "f is called once for each of the n points");
     return e;
 }
 
@@ -208,13 +243,21 @@ static void mc_by_hand(void) {
     given("f gives 4, 7, 13, 16: mean 10, deviations -6, -3, 3, 6, sum of squares 90, so the "
           "variance is 90/3 = 30, and the standard error sqrt(30/4)");
     const estimate e = of_list(values, 4, 4, &g);
-    CHECK_REAL(e.value, 10, relative_to(8 * u64, "a few roundings in double"));
+    const double value = e.value, standard_error = e.standard_error;
+    suspect_value("the standard error: value and standard_error are swapped", sqrt(30.0 / 4));
+    suspect_value("the mean goes away from the values: mean -= where mean += belongs", -25.25);
+    suspect_value("the sum: the division by n is missing", 40);
+    suspect_value("the last value", 16);
+    suspect_value("the mean without the last value: do the points begin at i = 1?", 8);
+    CHECK_REAL(value, 10, relative_to(8 * u64, "a few roundings in double"));
     suspect_errors(30, 4);
     suspect_value("the deviation from the mean before it, squared: one of the two factors is "
                   "from the mean after it",
                   sqrt(145.25 / 3 / 4));
-    CHECK_REAL(e.standard_error, sqrt(30.0 / 4), relative_to(32 * u64, "roundings in double"));
-    CHECK_INT(e.n, 4);
+    suspect_value("the value: value and standard_error are swapped", 10);
+    CHECK_REAL(standard_error, sqrt(30.0 / 4), relative_to(32 * u64, "roundings in double"));
+    const long n = e.n;
+    CHECK_INT(n, 4);
 }
 
 static void mc_one_and_two(void) {
@@ -222,17 +265,19 @@ static void mc_one_and_two(void) {
     rng g = check_rng(9);
     given("n = 1; f gives -3.5");
     const estimate one = of_list(values, 1, 1, &g);
-    CHECK_REAL(one.value, -3.5, exactly());
-    CHECK_REAL(one.standard_error, INFINITY, exactly());
+    const double value = one.value;
+    CHECK_REAL(value, -3.5, exactly());
+    check_error_of_one(one.standard_error);
     given("n = 2; f gives -3.5 and 2.25: half their distance");
     suspect_errors(5.75 * 5.75 / 2, 2);
-    CHECK_REAL(of_list(values, 2, 2, &g).standard_error, 5.75 / 2,
-               relative_to(16 * u64, "roundings in double"));
+    const double standard_error = of_list(values, 2, 2, &g).standard_error;
+    CHECK_REAL(standard_error, 5.75 / 2, relative_to(16 * u64, "roundings in double"));
     static const double constant[] = {3.7};
     given("1000 times 3.7: nothing varies");
     const estimate flat = of_list(constant, 1, 1000, &g);
-    CHECK_REAL(flat.value, 3.7, relative_to(1000 * u64, "1000 roundings"));
-    CHECK_REAL(flat.standard_error, 0,
+    const double flat_value = flat.value, flat_error = flat.standard_error;
+    CHECK_REAL(flat_value, 3.7, relative_to(1000 * u64, "1000 roundings"));
+    CHECK_REAL(flat_error, 0,
                absolute_of(1e-13, "the deviations are roundings of the mean, not more"));
 }
 
@@ -247,14 +292,56 @@ static void mc_large_mean(void) {
         given("f gives %.9g ± 1, by turns, 1000 times: the standard error is 1/sqrt(999)",
               means[i]);
         const estimate e = of_list(values, 2, N, &g);
+        const double value = e.value, standard_error = e.standard_error;
         suspect_value("0 or less under the root: the sum of squares cancelled", 0);
         suspect_errors(N / (N - 1.0), N);
-        CHECK_REAL(e.standard_error, 1 / sqrt(N - 1.0),
+        CHECK_REAL(standard_error, 1 / sqrt(N - 1.0),
                    relative_to(N * (1 + fabs(means[i])) * u64,
                                "n mean/deviation roundings; the sum of squares loses the "
                                "square of mean/deviation"));
-        CHECK_REAL(e.value, means[i], relative_to(N * u64, "a rounding for each term"));
+        CHECK_REAL(value, means[i], relative_to(N * u64, "a rounding for each term"));
     }
+}
+
+// How many numbers of 32 bits lie between two states of a generator; -1 if more than `most`.
+static long drawn_between(rng from, rng to, long most) {
+    for (long k = 0; k <= most; k++) {
+        if (same_state(from, to)) return k;
+        rng_bits(&from);
+    }
+    return -1;
+}
+
+static double zero(const void *nothing, const double *x) {
+    (void)nothing, (void)x;
+    return 0;
+}
+
+// What a loop to k <= dimensions does to x[8] nobody sees, but g does.
+static void mc_draws(void) {
+    rng g = check_rng(33);
+    for (int k = 2; k < 10; k++) // 3 first, where nothing looks like anything else
+        for (long n = 100; n >= 1; n /= 10) {
+            const int d = 1 + k % 8;
+            const rng before = g;
+            monte_carlo(zero, NULL, d, n, &g);
+            const long most = 2 * (d + 10) * (n + 10);
+            const long numbers_drawn = drawn_between(before, g, most);
+            given("n = %ld, %d dimensions: how many numbers of 32 bits were drawn from g? "
+                  "rng_double takes two (-1: more than %ld, or it is not g any more)",
+                  n, d, most);
+            CHECK(numbers_drawn != 0, stands);
+            suspect_value("one coordinate too many: k <= dimensions? Then x[8] is written, "
+                          "behind the end of x",
+                          (double)(2 * (d + 1) * n));
+            suspect_value("drawn by rng_real in float: 24 bits; rng_double has 53",
+                          (double)(d * n));
+            suspect_value("one draw for each point, not one for each coordinate",
+                          (double)(2 * n));
+            suspect_value("one point too many: i <= n from 0?", (double)(2 * d * (n + 1)));
+            suspect_value("8 draws for each point, whatever `dimensions` is", (double)(16 * n));
+            CHECK_INT(numbers_drawn, 2 * d * n);
+        }
 }
 
 typedef struct {
@@ -282,17 +369,22 @@ static void mc_points(void) {
     seen s = {.calls = 0}, *const at = &s;
     monte_carlo(look, &at, 8, n, &g);
     given("f is asked to look at its points, 8 dimensions, n = 40,000");
-    CHECK_INT(s.calls, n);
+    const long calls_of_f = s.calls;
+    CHECK_INT(calls_of_f, n);
     for (int k = 0; k < 8; k++) {
         const double N = (double)n;
-        given("coordinate %d of 40,000 points: from %.4g to %.4g", k, s.low[k], s.high[k]);
-        CHECK(s.low[k] >= 0 && s.high[k] < 1, "in [0, 1)");
-        CHECK_REAL(s.sum[k] / N, 0, standard_errors(5, sqrt(1 / 12.0 / N)));
-        CHECK_REAL(s.square[k] / N, 1 / 12.0, standard_errors(5, sqrt(1 / 180.0 / N)));
+        const double lowest = s.low[k], highest = s.high[k];
+        given("coordinate %d of 40,000 points: from %.9g to %.9g", k, lowest, highest);
+        CHECK(lowest < highest, all_the_same);
+        CHECK(lowest >= 0 && highest < 1, "in [0, 1)");
+        const double mean_less_half = s.sum[k] / N, variance = s.square[k] / N;
+        CHECK_REAL(mean_less_half, 0, standard_errors(5, sqrt(1 / 12.0 / N)));
+        CHECK_REAL(variance, 1 / 12.0, standard_errors(5, sqrt(1 / 180.0 / N)));
         given("coordinates %d and %d of 40,000 points: the mean of (x - 1/2)(x' - 1/2)", k,
               (k + 1) % 8);
-        CHECK(fabs(s.product[k] / N) < 0.08, "they are not the same number: is each drawn?");
-        CHECK_REAL(s.product[k] / N, 0, standard_errors(5, 1 / 12.0 / sqrt(N)));
+        const double covariance = s.product[k] / N;
+        CHECK(covariance < 0.08, "they are not the same number: is each drawn?");
+        CHECK_REAL(covariance, 0, standard_errors(5, 1 / 12.0 / sqrt(N)));
     }
 }
 
@@ -311,11 +403,12 @@ static void mc_dimensions(void) {
         given("the product of e^x/(e - 1) over %d dimensions, n = 20,000: 1", d);
         suspect_value("all coordinates are the same number",
                       (exp(d) - 1) / d / pow(exp(1) - 1, d));
-        CHECK_REAL(e.value, 1, standard_errors(5, sqrt(variance / (double)n)));
+        const double value = e.value, standard_error = e.standard_error;
+        CHECK_REAL(value, 1, standard_errors(5, sqrt(variance / (double)n)));
         const double want = sqrt(variance / (double)n);
         given("the same: its standard error. f has the variance %.4g", variance);
         suspect_errors(variance, n);
-        CHECK_REAL(e.standard_error, want,
+        CHECK_REAL(standard_error, want,
                    standard_errors(
                        6, want * sqrt((fourth / variance / variance - 1) / (4.0 * (double)n))));
     }
@@ -328,10 +421,14 @@ static void mc_again(void) {
     const estimate first = monte_carlo(product_of_exp, &d, d, 100, &g);
     const estimate again = monte_carlo(product_of_exp, &d, d, 100, &same);
     const estimate next = monte_carlo(product_of_exp, &d, d, 100, &g);
-    given("twice from the same state of g, and once from what g is then");
-    CHECK(first.value == again.value && first.standard_error == again.standard_error,
+    given("twice from the same state of g: %.17g and %.17g; then from what g is then: %.17g",
+          first.value, again.value, next.value);
+    const bool the_same =
+        first.value == again.value && first.standard_error == again.standard_error;
+    CHECK(the_same,
           "the same draws give the same estimate: nothing is left from the run before");
-    CHECK(next.value != first.value, "g went on: are the random numbers drawn from it?");
+    const bool another = next.value != first.value;
+    CHECK(another, stands);
 }
 
 // Normal, mean 0 and variance 1, by Box and Muller (1958) from two uniform numbers. Then
@@ -391,7 +488,8 @@ static void mc_slope(void) {
             }
             given("%d dimensions, n = %ld: the mean square of the error in %d runs", d,
                   rows[i].n, rows[i].runs);
-            CHECK_REAL(squares.mean, variance / n,
+            const double mean_square = squares.mean;
+            CHECK_REAL(mean_square, variance / n,
                        standard_errors(6, variance / n * sqrt((2 + excess) / rows[i].runs)));
         }
 }
@@ -403,10 +501,12 @@ static void one_in_each_square(void) {
     rng g = check_rng(16);
     for (long m = 1; m <= 300; m = m < 20 ? m + 1 : m * 7 / 2) {
         memset(count, 0, sizeof count);
+        double most_u = 0, most_v = 0;
         for (long i = 0; i < m * m; i++) {
             const point2 p = stratified_point(i, m, &g);
             given("m = %ld, i = %ld: (%.17g, %.17g)", m, i, p.u, p.v);
             CHECK(p.u >= 0 && p.u < 1 && p.v >= 0 && p.v < 1, "in [0, 1)");
+            most_u = fmax(most_u, p.u), most_v = fmax(most_v, p.v);
             count[(long)(p.v * (double)m) * m + (long)(p.u * (double)m)]++;
         }
         long empty = 0, first = 0;
@@ -415,6 +515,11 @@ static void one_in_each_square(void) {
         given("m = %ld: %ld of the %ld squares hold no point; the first of these is in column "
               "%ld, row %ld",
               m, empty, m * m, first % m, first / m);
+        const bool two_columns = most_u >= 1 / (double)m, two_rows = most_v >= 1 / (double)m;
+        CHECK(m == 1 || two_columns, "points in more than the first column: is u's column "
+                                     "divided in whole numbers, (i % m) / m = 0?");
+        CHECK(m == 1 || two_rows, "points in more than the first row: is v's row divided in "
+                                  "whole numbers, i / m / m = 0?");
         CHECK(empty == 0, "m² points, one in every square");
     }
 }
@@ -432,7 +537,8 @@ static void stratified_uniform(void) {
     given("4000 sets of 5 x 5 points: where in its square does a point lie? 6 x 6 cells");
     long most = 0;
     for (int i = 0; i < SIDE * SIDE; i++) most = cell[i] > most ? cell[i] : most;
-    CHECK(most < n, "the points move: all lie at the same place in their squares, is g used?");
+    CHECK(most < n, "the points move: all lie at the same place in their squares. Is g used, "
+                    "itself and not a copy of it?");
     check_chi2(cell, SIDE * SIDE, n);
 }
 
@@ -471,14 +577,15 @@ static void stratified_huge(void) {
     rng g = check_rng(18);
     double last = -1;
     for (int i = 0; i < 1000; i++) {
-        const long first = (long)(rng_double(&g) * (double)m * (double)m) & ~1L;
+        const long some = (long)(rng_double(&g) * (double)m * (double)m) & ~1L;
+        const long first = i == 0 ? m * m - 2 : some;
         const point2 a = stratified_point(first, m, &g), b = stratified_point(first + 1, m, &g);
         given("m = 2^31, i = %ld and the next: (%.12g, %.12g) and (%.12g, %.12g)", first, a.u,
               a.v, b.u, b.v);
         CHECK(a.u >= 0 && a.u < 1 && a.v >= 0 && a.v < 1, "in [0, 1)");
         CHECK(floor(a.u * (double)m) != floor(b.u * (double)m) ||
                   floor(a.v * (double)m) != floor(b.v * (double)m),
-              "two squares: is i a long all the way?");
+              "two squares: is i a long all the way? Is what is near 1 cut off too early?");
         CHECK(a.u + 2 * a.v != last, "other points for other i: does i overflow?");
         last = a.u + 2 * a.v;
     }
@@ -527,19 +634,25 @@ static void stratified_pi(void) {
         }
         const double want = stratified_variance(m), N = (double)(m * m);
         given("π from %ld x %ld stratified points, 1000 runs: the mean", m, m);
-        CHECK_REAL(s.mean, PI, standard_errors(5, sqrt(want / 1000)));
+        const double mean = s.mean;
+        CHECK_REAL(mean, PI, standard_errors(5, sqrt(want / 1000)));
         given("π from %ld x %ld stratified points: the variance in 1000 runs", m, m);
         suspect_value("as large as that of random points", PI * (4 - PI) / N);
         check_variance(&s, want);
     }
-    // In m x m squares about 4m are cut by the circle. Of the quarter circle only 2m are.
-    const double circle = stratified_variance(1024) * pow(1024, 3);
-    given("the closed form: 8.2 N^-1.5 in the limit, and 4.1 for the quarter circle alone");
-    CHECK_REAL(circle, 8.2, absolute_of(0.05, "8.2 has two digits"));
-    CHECK_REAL(4 * circle / 8, 4.1, absolute_of(0.05, "4.1 has two digits"));
+    // Buffon's needle: 16 times the mean distance of two points in a unit square.
+    const double distance = (2 + sqrt(2) + 5 * log(1 + sqrt(2))) / 15;
+    given("the sum over the cells of 1024 x 1024 squares, times N^1.5, and its limit");
+    CHECK_REAL(stratified_variance(1024) * pow(1024, 3), 16 * distance,
+               relative_to(0.5 / sqrt(1024), "the lines beside the circle's four ends: of "
+                                             "order 1/sqrt(m), 1.5 % here"));
+    CHECK_REAL(16 * distance, 8.34, absolute_of(0.005, "8.34 has three digits"));
 }
 
 // ---- radical_inverse -----------------------------------------------------------------
+
+static const char *const whole_place =
+    "nothing is added: is 1 / base divided in whole numbers, 0?";
 
 static void inverse_by_hand(void) {
     static const struct {
@@ -559,14 +672,15 @@ static void inverse_by_hand(void) {
         {1000, 123456789, 0.789456123, 0.123456789},
     };
     for (int k = 0; k < COUNT(rows); k++) {
+        const int base = rows[k].base;
+        const uint64_t i = rows[k].i;
         const double want = rows[k].want;
-        given("base %d, i = %llu", rows[k].base, (unsigned long long)rows[k].i);
+        given("base %d, i = %llu", base, (unsigned long long)i);
+        if (want > 0) suspect_value(whole_place, 0);
         suspect_value("the digits behind the point, but not mirrored", rows[k].plain);
-        suspect_factor("a whole number: the first digit belongs behind the point",
-                       rows[k].base);
-        suspect_factor("one place too far behind the point", 1.0 / rows[k].base);
-        CHECK_REAL(radical_inverse(rows[k].base, rows[k].i), want,
-                   relative_to(64 * u64, "64 roundings"));
+        suspect_factor("a whole number: the first digit belongs behind the point", base);
+        suspect_factor("one place too far behind the point", 1.0 / base);
+        CHECK_REAL(radical_inverse(base, i), want, relative_to(64 * u64, "64 roundings"));
     }
 }
 
@@ -593,6 +707,39 @@ static double inverse_by_fmod(int base, double i) {
     return sum;
 }
 
+// Mirrored as a whole number and divided at the end, both modulo 2^64 or in a long.
+static double inverse_by_power(int base, uint64_t i, bool is_signed) {
+    uint64_t number = 0, power = 1;
+    for (; i > 0; i /= (uint64_t)base) {
+        number = number * (uint64_t)base + i % (uint64_t)base;
+        power *= (uint64_t)base;
+    }
+    return is_signed ? (double)(int64_t)number / (double)(int64_t)power
+                     : (double)number / (double)power;
+}
+
+// The mirrored number in double, but the power modulo 2^64.
+static double inverse_by_whole_power(int base, uint64_t i) {
+    double number = 0;
+    uint64_t power = 1;
+    for (; i > 0; i /= (uint64_t)base) {
+        number = number * base + (double)(i % (uint64_t)base);
+        power *= (uint64_t)base;
+    }
+    return number / (double)power;
+}
+
+static void suspect_overflow(int base, uint64_t i) {
+    static const char *const overflow =
+        "base^k as a whole number overflows: it has no room in 64 bits";
+    const double wrapped[] = {inverse_by_power(base, i, false), inverse_by_power(base, i, true),
+                              inverse_by_whole_power(base, i)};
+    for (int k = 0; k < COUNT(wrapped); k++) {
+        suspect_value(overflow, wrapped[k]);
+        if (!(wrapped[k] < 1)) suspect_value(overflow, 1 - DBL_EPSILON / 2);
+    }
+}
+
 static void inverse_generic(void) {
     static const char *const rounded =
         "i went through a double: its last digits, the first of the answer, were rounded";
@@ -604,29 +751,47 @@ static void inverse_generic(void) {
         given("base %d, i = %llu", base, (unsigned long long)i);
         suspect_value("i went through an int or unsigned: 32 bits are left of it",
                       (double)inverse_exact(base, (uint32_t)i));
+        suspect_value("the upper bits of i were lost: is it an int?", 0);
+        suspect_overflow(base, i);
         suspect_value(rounded, (double)inverse_exact(base, (uint64_t)(double)i));
         suspect_value(rounded, inverse_by_fmod(base, (double)i));
         suspect_factor("a whole number: the first digit belongs behind the point", base);
         suspect_value("float inside", (double)(float)want);
+        CHECK_REAL(radical_inverse(base, i), (double)want,
+                   relative_to(64 * u64, "64 roundings in double"));
         const double got = radical_inverse(base, i);
-        CHECK_REAL(got, (double)want, relative_to(64 * u64, "64 roundings in double"));
+        given("base %d, i = %llu: got %.17g", base, (unsigned long long)i, got);
         CHECK(got >= 0 && got < 1, "in [0, 1), never 1");
     }
 }
 
+// What a right answer cannot be, k times the digit base - 1: where is it cut off?
+static void suspect_cut(double want) {
+    const double most = radical_inverse(2, (1uLL << 62) - 1); // 1 - 2^-62, to rounding
+    if (most > 0.5 && most < want)
+        suspect_value("cut off too early: the largest double below 1 is 1 - DBL_EPSILON / 2",
+                      most);
+}
+
 // All digits base - 1: so near 1 that the nearest double is 1.
 static void inverse_below_one(void) {
-    for (int base = 2; base <= 1000; base = base < 12 ? base + 1 : base * 3 / 2)
-        for (uint64_t power = (uint64_t)base;; power *= (uint64_t)base) {
-            const double got = radical_inverse(base, power - 1);
-            given("base %d, i = %llu: all digits are %d", base, (unsigned long long)(power - 1),
-                  base - 1);
-            CHECK_REAL(got, 1 - 1 / (double)power, relative_to(64 * u64, "64 roundings"));
-            given("base %d, i = %llu: all digits are %d; got %.17g", base,
-                  (unsigned long long)(power - 1), base - 1, got);
+    for (int base = 2; base <= 1000; base = base < 12 ? base + 1 : base * 3 / 2) {
+        uint64_t power = (uint64_t)base;
+        for (int k = 1;; k++, power *= (uint64_t)base) {
+            const uint64_t i = power - 1;
+            const double got = radical_inverse(base, i), want = 1 - 1 / (double)power;
+            given("base %d, i = %llu: %d digits, all %d: 1 - %d^-%d, rounded; got 1 - %.9g",
+                  base, (unsigned long long)i, k, base - 1, base, k, 1 - got);
+            suspect_value("the upper bits of i were lost: is it an int?", 0);
+            suspect_value("the upper bits of i were lost: is it an int or unsigned?",
+                          (double)inverse_exact(base, (uint32_t)i));
+            suspect_overflow(base, i);
+            suspect_cut(want);
+            CHECK_REAL(radical_inverse(base, i), want, relative_to(64 * u64, "64 roundings"));
             CHECK(got < 1, "in [0, 1): a coordinate of 1 is outside the square");
             if (power > (1uLL << 62) / (uint64_t)base) break;
         }
+    }
 }
 
 // The first base^k points: one in each of base^k intervals.
@@ -1065,6 +1230,9 @@ int main(void) {
          "One value says nothing of its error; equal values say that there is none: keep "
          "squared deviations from the mean, which are then 0."},
         {"monte_carlo: a large mean", mc_large_mean, welford},
+        {"monte_carlo: the draws", mc_draws,
+         "Two loops, n points of `dimensions` coordinates, x[0] to x[dimensions - 1], and one "
+         "rng_double of g for each."},
         {"monte_carlo: the points", mc_points,
          "Every coordinate of every point is drawn from g."},
         {"monte_carlo: 1 to 8 dimensions", mc_dimensions, estimator},

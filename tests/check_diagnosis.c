@@ -58,7 +58,9 @@ const char *diagnose_odd(double got, double expected) {
     if (isinf(got) && got > 0)
         return "infinity: reported as a miss (NO_HIT), or a division by zero";
     if (isinf(got)) return "minus infinity: division by zero?";
-    if (isinf(expected) && expected > 0) return "a hit was reported where there is none";
+    if (isinf(expected) && expected > 0)
+        return "finite where infinity belongs; in a ray's test: a hit was reported where there "
+               "is none";
     return NULL;
 }
 

@@ -72,7 +72,8 @@ estimate estimate_pi(long n, rng *g);
 // ∫ f over the unit cube in `dimensions` (1 to 8) by n uniform points: the mean of f,
 // and the standard error sqrt(variance / n), the variance with n - 1, without
 // cancellation for any mean (Welford 1962). n >= 1; for n = 1 the standard error is
-// INFINITY.
+// INFINITY. Draws exactly n · dimensions numbers, by rng_double, from g itself: point after
+// point. On a region of volume V an integral is V times the mean.
 estimate monte_carlo(integrand f, const void *data, int dimensions, long n, rng *g);
 
 // The i-th of n = m² stratified points: one uniform point in each of the m x m squares,

@@ -76,13 +76,14 @@ point2 sobol_point(uint64_t i) {
 
 // Owen's scrambling, of x with its first digit in the lowest bit: each digit is flipped or
 // not, at random, by what all digits before it are. Sums and products carry only
-// upwards, so every step here is of that kind; the first alone makes each x uniform.
+// upwards, so every step here is of that kind; the first alone makes each x uniform. An
+// odd factor loses no digit; an even one moves all upwards: what flips a digit is below it.
 // Sources: Owen 1995; Laine and Karras 2011; Burley 2020.
 static uint64_t scrambled(uint64_t x, rng *g) {
     x += random_64(g);
-    x *= random_64(g) | 1;        // odd, so that no digit is lost
-    x ^= x * 0x9e3779b97f4a7c16u; // even, so that no digit meets itself; of many ones
-    x ^= x * 0xbf58476d1ce4e5b8u;
+    x *= random_64(g) | 1;        // odd
+    x ^= x * 0x9e3779b97f4a7c16u; // even
+    x ^= x * 0xbf58476d1ce4e5b8u; // even
     return x;
 }
 

@@ -1,5 +1,5 @@
 // Wrong: 0/0 for one point.
-// Expect: One value says nothing of its error
+// Expect: n - 1 is 0 here
 #include "chapters/08-monte-carlo/monte_carlo.h"
 
 estimate estimate_pi(long n, rng *g) {

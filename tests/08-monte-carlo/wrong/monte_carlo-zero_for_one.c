@@ -1,5 +1,5 @@
 // Wrong: the standard error 0 for one value.
-// Expect: expected   inf
+// Expect: no special case for n = 1: one value does not tell its spread: INFINITY
 #include "chapters/08-monte-carlo/monte_carlo.h"
 
 estimate monte_carlo(integrand f, const void *data, int dimensions, long n, rng *g) {

@@ -1,5 +1,5 @@
 // Wrong: the middle of each square: a grid.
-// Expect: the points move: all lie at the same place in their squares, is g used?
+// Expect: all lie at the same place in their squares
 #include "chapters/08-monte-carlo/monte_carlo.h"
 
 point2 stratified_point(long i, long m, rng *g) {

@@ -1,0 +1,16 @@
+// Wrong: value and standard_error swapped.
+// Expect: value and standard_error are swapped
+#include "chapters/08-monte-carlo/monte_carlo.h"
+
+estimate monte_carlo(integrand f, const void *data, int dimensions, long n, rng *g) {
+    double mean = 0, squares = 0;
+    for (long i = 1; i <= n; i++) {
+        double x[8];
+        for (int k = 0; k < dimensions; k++) x[k] = rng_double(g);
+        const double value = f(data, x), before = value - mean;
+        mean += before / (double)i;
+        squares += before * (value - mean);
+    }
+    if (n == 1) return (estimate){INFINITY, mean, n};
+    return (estimate){sqrt(squares / (double)(n - 1) / (double)n), mean, n};
+}
