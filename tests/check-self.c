@@ -171,6 +171,12 @@ static void no_match(void) {
           "one clear line");
 }
 
+// "one" is an exercise here, and stands in "int: one too many" as well.
+static void whole_name(void) {
+    must_say(run("", "one"), "one: ");
+    must_not_say(run("", "one"), "int: one");
+}
+
 static void quiet(void) {
     must_not_say(run("QUIET=1", "pass: "), "ok  ");
     must_say(run("QUIET=1", "int: one"), "FAIL  int: one too many");
@@ -255,6 +261,7 @@ int main(void) {
         {"message: suspects come first", suspects, NULL},
         {"message: what the test printed", printed, NULL},
         {"setting: T that matches nothing", no_match, NULL},
+        {"setting: T that is an exercise's whole name", whole_name, NULL},
         {"setting: QUIET", quiet, NULL},
         {"setting: SOLUTIONS", solutions, NULL},
         {"setting: TALLY", tally, NULL},

@@ -39,12 +39,21 @@ bool same_exercise(const test *a, const test *b) {
     return length == exercise_length(b) && strncmp(a->name, b->name, (size_t)length) == 0;
 }
 
-// The tests whose name contains `filter`, as results to be filled in.
+static bool belongs_to(const test *t, const char *exercise) {
+    const size_t length = strlen(exercise);
+    return (size_t)exercise_length(t) == length && strncmp(t->name, exercise, length) == 0;
+}
+
+// The tests of the exercise that `filter` names; else all whose name contains it.
 static summary choose(const char *suite, const test *tests, int count, const char *filter) {
     summary s = {.suite = suite, .results = calloc((size_t)count + 1, sizeof *s.results)};
     if (!s.results) runner_die("get memory");
+    bool named = false;
+    for (int i = 0; filter && i < count; i++) named |= belongs_to(&tests[i], filter);
     for (int i = 0; i < count; i++)
-        if (!filter || strstr(tests[i].name, filter)) s.results[s.count++].test = &tests[i];
+        if (!filter ||
+            (named ? belongs_to(&tests[i], filter) : strstr(tests[i].name, filter) != NULL))
+            s.results[s.count++].test = &tests[i];
     return s;
 }
 

@@ -19,9 +19,9 @@
 // A test's name begins with the exercise that it judges, then a colon. The first
 // failed check ends its test. Once a test did not come back, the others of its
 // exercise are not run and count as failed. Environment: T=text runs only the tests
-// whose name contains text, TAP=1 prints TAP, JUNIT=file writes JUnit XML,
-// TALLY=file appends "passed failed todo", TEST_SECONDS=n changes the limit,
-// SEED=n the random numbers.
+// of the exercise text, or else those whose name contains it, TAP=1 prints TAP,
+// JUNIT=file writes JUnit XML, TALLY=file appends "passed failed todo", TEST_SECONDS=n
+// changes the limit, SEED=n the random numbers.
 #ifndef TESTS_CHECK_H
 #define TESTS_CHECK_H
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # hint.sh CHAPTER N [T]: the hints 1 to N of each exercise of a chapter, or only
-# of those whose name contains T. They stand in exercises/CHAPTER/hints.txt: a
+# of the one called T, or else of those whose name contains T. They stand in exercises/CHAPTER/hints.txt: a
 # line with the exercise's name, then paragraphs that begin with "1 ", "2 ", "3 ";
 # further lines of a paragraph are indented.
 set -u
@@ -20,16 +20,20 @@ case $n in
     *) fail "N must be a number from 1 to 9, not \"$n\"" ;;
 esac
 
+exact=0
+[ -n "$filter" ] && grep -qxF -e "$filter" "$file" && exact=1
+
 # From the environment, since awk -v would read backslashes as escapes.
-N=$n FILTER=$filter CHAPTER=$chapter awk '
+N=$n EXACT=$exact FILTER=$filter CHAPTER=$chapter awk '
     BEGIN {
-        n = ENVIRON["N"]; filter = ENVIRON["FILTER"]; chapter = ENVIRON["CHAPTER"]
+        n = ENVIRON["N"]; exact = ENVIRON["EXACT"]; filter = ENVIRON["FILTER"]; chapter = ENVIRON["CHAPTER"]
     }
     /^[ \t]*$/ { next }
     /^[1-9] / { hint = $1 + 0; if (chosen && hint > last) last = hint }
     /^[^ \t1-9]/ {
         hint = 0
-        chosen = filter == "" || index($1, filter) > 0
+        names = names " " $1
+        chosen = filter == "" || (exact + 0 ? $1 == filter : index($1, filter) > 0)
         if (chosen && found++) print ""
         if (chosen) print $1
         next
@@ -37,8 +41,8 @@ N=$n FILTER=$filter CHAPTER=$chapter awk '
     chosen && hint > 0 && hint <= n { print "  " $0 }
     END {
         if (!found) {
-            printf "hint: no exercise of %s has a name that contains \"%s\"\n", \
-                chapter, filter | "cat 1>&2"
+            printf "hint: no exercise of %s has a name that contains \"%s\"; there are:%s\n", \
+                chapter, filter, names | "cat 1>&2"
             exit 2
         }
         number = substr(chapter, 1, index(chapter "-", "-") - 1)
