@@ -26,7 +26,8 @@ stop stop_at(const surface *m, ray r, hit h) {
 // Both ends lie off their surfaces.
 static bool sees(const lit_room *sc, const stop *at, const aim *a) {
     const lamp *l = &sc->lamps.lamps[sc->lamps.of_body[a->body]];
-    const vec3 end = l->hides_itself ? offset_origin(a->on.p, a->on.error, a->on.n, a->on.n) : a->on.p;
+    const vec3 end =
+        l->hides_itself ? offset_origin(a->on.p, a->on.error, a->on.n, a->on.n) : a->on.p;
     const ray r = {at->start, sub(end, at->start)};
     return !scene_blocked(&sc->bodies, r, 1 - 4 * REAL_EPSILON, l->hides_itself ? -1 : a->body);
 }
