@@ -48,6 +48,7 @@ static void normal_seen(void) {
     for (int i = 0; i < 10 * VIEWS; i++) {
         vec3 o;
         const real alpha = view(i, &o, &g);
+        GIVEN_VIEW(o, alpha, "draws of ggx_normal");
         repeats r = {0};
         for (int k = 0; k < 200; k++) {
             const vec3 h = ggx_normal(o, alpha, &g);
@@ -111,6 +112,7 @@ static void normal_mean(void) {
     for (int i = 0; i < VIEWS; i++) {
         vec3 o;
         const real alpha = view(i, &o, &g);
+        GIVEN_VIEW(o, alpha, "draws of ggx_normal");
         running height = {0};
         for (int k = 0; k < 10000; k++)
             running_add(&height, height_seen(o, widen(ggx_normal(o, alpha, &g)), alpha));
@@ -126,8 +128,7 @@ static void normal_mean(void) {
         suspect_value("o itself was not stretched by alpha", unstretched);
         suspect_value("uniform over the stretched hemisphere, as if o did not matter",
                       hemisphere);
-        CHECK_REAL(height.mean, 0.5,
-                   standard_errors(5, running_standard_error(&height) + 1e-5));
+        CHECK_MEAN("the mean height", &height, 0.5, 1e-5);
     }
 }
 
@@ -136,6 +137,7 @@ static void normal_cells(void) {
     for (int i = 0; i < VIEWS; i++) {
         vec3 o;
         const real alpha = view(i, &o, &g);
+        GIVEN_VIEW(o, alpha, "draws of ggx_normal");
         tally t = {0};
         for (int k = 0; k < 25000; k++) {
             const stretched_view s = stretch(o, widen(ggx_normal(o, alpha, &g)), alpha);
@@ -154,6 +156,7 @@ static void normal_rare(void) {
     for (int i = 0; i < 4 * RARE; i++) {
         vec3 o;
         const real alpha = view(i / 4, &o, &g);
+        GIVEN_VIEW(o, alpha, "draws of ggx_normal");
         rng rare = drawing_rare(i);
         const vec3 h = ggx_normal(o, alpha, &rare);
         check_seen(o, alpha, h,
@@ -181,8 +184,7 @@ static void normal_energy(void) {
             "a rough mirror of F = 1, alpha = %g: the share of the light that one bounce sends "
             "out, by 60,000 draws%s",
             (double)alpha, rows[i].alpha < 0 ? ", o straight above" : " from all directions");
-        CHECK_REAL(light.mean, rows[i].albedo,
-                   standard_errors(5, running_standard_error(&light) + 1e-6));
+        CHECK_MEAN("the share of the light", &light, rows[i].albedo, 1e-6);
     }
 }
 
@@ -281,8 +283,8 @@ static void seen_whole(void) {
         const real alpha = view(i, &o, &g);
         GIVEN_VIEW(o, alpha,
                    "the integral of the density over all normals, by the midpoint rule");
-        CHECK_REAL(integral_seen(o, alpha, 100), 1,
-                   relative_to(1e-3, "the midpoint rule with 100 x 200 points"));
+        const double integral = integral_seen(o, alpha, 100);
+        CHECK_REAL(integral, 1, relative_to(1e-3, "the midpoint rule with 100 x 200 points"));
     }
 }
 
@@ -313,17 +315,25 @@ static void seen_belongs(void) {
     for (int i = 0; i < VIEWS; i++) {
         vec3 o;
         const real alpha = view(i, &o, &g);
+        GIVEN_VIEW(o, alpha, "draws of ggx_normal");
         running all = {0};
         for (int k = 0; k < 10000; k++) {
             const vec3 h = ggx_normal(o, alpha, &g);
+            if (!in_patch(o, h, alpha)) {
+                running_add(&all, 0);
+                continue;
+            }
             const double p = ggx_normal_probability(o, h, alpha);
-            running_add(&all, in_patch(o, h, alpha) ? 1 / p : 0);
+            given("o = " VEC ", alpha = %g, h = " VEC " by ggx_normal: p = %.9g", ARG(o),
+                  (double)alpha, ARG(h), p);
+            const bool p_is_positive = p > 0;
+            CHECK(p_is_positive, "p > 0 for a normal that ggx_normal draws");
+            running_add(&all, 1 / p);
         }
         GIVEN_VIEW(o, alpha,
                    "the mean of 1/p over the draws that fall into a patch of normals: "
                    "the patch's solid angle");
-        CHECK_REAL(all.mean, patch_size(alpha),
-                   standard_errors(5, running_standard_error(&all) + 1e-4 * patch_size(alpha)));
+        CHECK_MEAN("the mean of 1/p", &all, patch_size(alpha), 1e-4 * patch_size(alpha));
     }
 }
 

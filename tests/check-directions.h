@@ -4,6 +4,7 @@
 #define TESTS_CHECK_DIRECTIONS_H
 
 #include "common/exact3.h"
+#include "common/measure.h"
 #include "common/wide3.h"
 #include "tests/check.h"
 
@@ -118,9 +119,40 @@ static inline double chi2_of(const tally *t) {
     return chi2;
 }
 
-#define CHECK_UNIFORM(t)                                          \
-    CHECK_AT_MOST(chi2_of(t), chi2_limit(CELLS - 1, FALSE_ALARM), \
+#define CHECK_UNIFORM(t)                                                             \
+    check_at_most(__FILE__, __LINE__, "chi² of the counts in the cells", chi2_of(t), \
+                  chi2_limit(CELLS - 1, FALSE_ALARM),                                \
                   "chi² that a right answer exceeds once in a million")
+
+// Of a tally of directions: is about half of the angle empty?
+#define CHECK_ALL_ROUND(t)                                                                  \
+    check_that(                                                                             \
+        __FILE__, __LINE__, "there are draws in most of the 12 sectors", !half_is_empty(t), \
+        "draws on all sides: the cells of one half of the angle are empty: φ goes to 2π")
+
+static inline bool half_is_empty(const tally *t) {
+    int empty = 0;
+    for (int k = 0; k < SECTORS; k++) {
+        long count = 0;
+        for (int i = 0; i < BANDS; i++) count += t->cells[i * SECTORS + k];
+        empty += count == 0;
+    }
+    return empty >= SECTORS / 3 && empty <= SECTORS * 2 / 3;
+}
+
+// The mean of what was added, called `what`: within 5 standard errors and `grain`. NaN among
+// the numbers is one in the mean, and would be one in its standard error too.
+#define CHECK_MEAN(what, s, expected, grain) \
+    check_mean(__FILE__, __LINE__, what, s, expected, grain)
+
+static inline void check_mean(const char *file, int line, const char *what, const running *s,
+                              double expected, double grain) {
+    const double error = running_standard_error(s);
+    const allowance allowed = isfinite(error)
+                                  ? standard_errors(5, error + grain)
+                                  : relative_to(0.01, "no number has no standard error");
+    check_real(file, line, what, s->mean, expected, allowed);
+}
 
 // Draws must differ: a sampler that seeds its own generator repeats itself.
 typedef struct {

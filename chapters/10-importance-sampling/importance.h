@@ -4,6 +4,8 @@
 
 #include "chapters/10-importance-sampling/ggx.h"
 
+// ---- frames (frame.c) --------------------------------------------------------------
+
 // Two unit vectors s, t that make a right-handed frame with the unit normal n: s x t = n.
 // For any n, also (0, 0, -1). Source: Duff et al. 2017.
 typedef struct {

@@ -63,7 +63,8 @@ scene veach_build(veach_plates *v) {
         v->surfaces[ROUND_LAMPS + i] = (surface){.albedo = V(0.4, 0.4, 0.4)};
     for (int i = 0; i < PLATES; i++) {
         turn_plate(v->points[i], plates[i].middle);
-        v->plates[i] = (mesh){v->points[i], NULL, halves, COUNT(halves)};
+        v->plates[i] =
+            (mesh){.points = v->points[i], .corners = halves, .count = COUNT(halves)};
         v->surfaces[ROUND_LAMPS + PLATE_WALLS + i] =
             (surface){.lobe = GGX, .albedo = V(0.35, 0.37, 0.4), .alpha = plates[i].alpha};
     }

@@ -1,21 +1,5 @@
-// surface.c: frames, and how a surface scatters light.
+// surface.c: how a surface scatters light.
 #include "chapters/10-importance-sampling/importance.h"
-
-// copysign keeps the division away from 1 + n.z = 0.
-frame orthonormal_basis(vec3 n) {
-    const real sign = copysign((real)1, n.z);
-    const real a = -1 / (sign + n.z), b = n.x * n.y * a;
-    return (frame){
-        {1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
-}
-
-vec3 to_local(frame f, vec3 v) {
-    return (vec3){dot(v, f.s), dot(v, f.t), dot(v, f.n)};
-}
-
-vec3 to_world(frame f, vec3 v) {
-    return add(add(scale(v.x, f.s), scale(v.y, f.t)), scale(v.z, f.n));
-}
 
 static bool above(vec3 n, vec3 o, vec3 v) {
     return dot(n, o) > 0 && dot(n, v) > 0;

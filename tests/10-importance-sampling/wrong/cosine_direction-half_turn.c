@@ -1,5 +1,5 @@
 // Wrong: φ only from 0 to π.
-// Expect: chi² that a right answer exceeds
+// Expect: the cells of one half of the angle are empty
 #include "chapters/10-importance-sampling/importance.h"
 
 vec3 cosine_direction(vec3 n, rng *g) {

@@ -1,7 +1,5 @@
 // Wrong: positive below the surface too.
-// Expect:
-// Expect: cos θ
-// Expect:  / π: below the surface
+// Expect: |cos θ| / π: below the surface
 #include "chapters/10-importance-sampling/importance.h"
 
 real cosine_probability(vec3 n, vec3 v) {

@@ -1,7 +1,5 @@
 // Wrong: the distance, not its square.
-// Expect:
-// Expect: y - x
-// Expect:  in place of its square
+// Expect: |y - x| in place of its square
 #include "chapters/10-importance-sampling/importance.h"
 #include "common/wide3.h"
 

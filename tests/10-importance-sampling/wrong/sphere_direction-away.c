@@ -1,5 +1,5 @@
 // Wrong: from the sphere to x.
-// Expect: the ray (x, v) meets the sphere
+// Expect: points away from it
 #include "chapters/10-importance-sampling/importance.h"
 #include "common/wide3.h"
 

@@ -1,5 +1,5 @@
 // Wrong: v is not looked at.
-// Expect: 0 where the ray misses
+// Expect: the ray misses the sphere, is that looked at?
 #include "chapters/10-importance-sampling/importance.h"
 #include "common/wide3.h"
 
