@@ -62,7 +62,7 @@ COMPILE = @mkdir -p $(@D) && $(CC) $(STRICT) $(OPENMP) $(STB_CFLAGS) $(CFLAGS) $
 LINK    = @mkdir -p $(@D) && $(CC) $(STRICT) $(OPENMP) $(CFLAGS) $(FAST) -o $@ $(filter %.o,$^) -lm
 # Programs that trace paths are optimised across files, which takes seconds and makes them
 # twice as fast.
-FAST = $(if $(and $(LTO),$(filter $B/09-% $B/1% $B/mine/09-% $B/mine/1%,$@)),-flto=auto)
+FAST = $(if $(LTO),$(if $(filter $B/09-% $B/1% $B/mine/09-% $B/mine/1%,$@),-flto=auto,-fno-lto))
 LINK_OWN = @mkdir -p $(@D) && sh tests/tools/link.sh $(CC) $(STRICT) $(OPENMP) $(CFLAGS) $(FAST) -o $@ $(filter %.o,$^) -lm
 
 # ---- what there is -----------------------------------------------------------
