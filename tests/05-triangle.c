@@ -703,6 +703,24 @@ static void mesh_nearest(void) {
 }
 
 // Closed: every edge is in two triangles, once in each direction. Normals outward.
+// What misses the sphere around a mesh is not asked for: it must hold every point, also
+// far from the origin, where points are coarse.
+static void torus_around(void) {
+    rng g = rng_seed(5, 77);
+    for (int i = 0; i < 200; i++) {
+        const vec3 centre = scale((real)pow(10, i % 9 - 2), in_cube(&g));
+        mesh m = mesh_torus(centre, in_cube(&g), 2, (real)0.75, 9, 7);
+        double farthest = 0;
+        for (int k = 0; k < 9 * 7; k++) {
+            const wide3 v = wide_sub(m.points[k], m.around.c);
+            farthest = fmax(farthest, sqrt(wide_dot(v, v)));
+        }
+        given("a torus 2.75 large at " VEC, ARG(centre));
+        CHECK_AT_MOST(farthest, m.around.r, "the sphere around the mesh");
+        mesh_free(&m);
+    }
+}
+
 static void torus_closed(void) {
     enum { R = 5, S = 4, N = R * S };
     mesh m = mesh_torus((vec3){1, -2, 3}, (vec3){1, 3, -2}, 2, 0.75f, R, S);
@@ -971,6 +989,7 @@ int main(void) {
         {"mesh_hit: the nearest, and its index", mesh_nearest,
          "t_max becomes the nearest t so far."},
         {"mesh_torus: closed, facing outwards", torus_closed, "Count each edge."},
+        {"mesh_torus: within the sphere around it", torus_around, "Where are points rounded?"},
         {"smooth_normal: at the corners", smooth_corners, "u belongs to n2, v to n3."},
         {"smooth_normal: generic", smooth_generic,
          "The weighted mean of unit vectors is shorter than 1."},

@@ -129,11 +129,10 @@ mesh mesh_torus(vec3 centre, vec3 axis, real ring, real tube, int around, int ac
     int(*corners)[3] = room_for(2 * count, sizeof *corners);
     torus_points(points, normals, centre, axis, ring, tube, around, across);
     torus_corners(corners, around, across);
-    return (mesh){.points = points,
-                  .normals = normals,
-                  .corners = (const int(*)[3])corners,
-                  .count = 2 * count,
-                  .around = {centre, (ring + tube) * (1 + 8 * REAL_EPSILON)}};
+    // Points are rounded at the size of their coordinates.
+    const vec3 size = add(absolute(centre), (vec3){ring + tube, ring + tube, ring + tube});
+    const real r = ring + tube + 8 * REAL_EPSILON * (size.x + size.y + size.z);
+    return (mesh){points, normals, (const int(*)[3])corners, 2 * count, {centre, r}};
 }
 
 void mesh_free(mesh *m) {
