@@ -29,6 +29,25 @@ void image_free(image *img) {
     *img = (image){0};
 }
 
+image image_side_by_side(image *parts, int count) {
+    int width = 0;
+    for (int i = 0; i < count; i++) width += parts[i].width;
+    image all = image_new(width, parts[0].height);
+    for (int i = 0, left = 0; i < count; i++) {
+        for (int y = 0; y < all.height; y++)
+            for (int x = 0; x < parts[i].width; x++)
+                *image_at(&all, left + x, y) = *image_at(&parts[i], x, y);
+        left += parts[i].width;
+        image_free(&parts[i]);
+    }
+    return all;
+}
+
+int image_part_width(int width, int i, int count) {
+    const int part = (i + 1) * width / count - i * width / count;
+    return part > 0 ? part : 1;
+}
+
 int srgb_byte(real linear) {
     if (!(linear > 0)) return 0; // NaN too
     if (linear >= 1) return 255;

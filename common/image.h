@@ -17,6 +17,12 @@ static inline color *image_at(const image *img, int x, int y) {
     return &img->pixels[(size_t)y * (size_t)img->width + (size_t)x];
 }
 
+// Pictures of one height in one, from left to right. Frees them.
+image image_side_by_side(image *parts, int count);
+
+// The width of part i of count that fill `width` together, each at least 1 wide.
+int image_part_width(int width, int i, int count);
+
 // [0, 1] linear to [0, 255] sRGB (IEC 61966-2-1), clamped, rounded to nearest.
 int srgb_byte(real linear);
 

@@ -85,21 +85,6 @@ static image draw(const options *opt, const camera *cam, job j) {
     return render("06-bounce", cam, look, &j, opt);
 }
 
-// Pictures of one height, from left to right in one. Frees them.
-static image side_by_side(image *parts, int count) {
-    int width = 0;
-    for (int i = 0; i < count; i++) width += parts[i].width;
-    image all = image_new(width, parts[0].height);
-    for (int i = 0, left = 0; i < count; i++) {
-        for (int y = 0; y < all.height; y++)
-            for (int x = 0; x < parts[i].width; x++)
-                *image_at(&all, left + x, y) = *image_at(&parts[i], x, y);
-        left += parts[i].width;
-        image_free(&parts[i]);
-    }
-    return all;
-}
-
 static camera studio_camera(int width, int height) {
     const vec3 eye = {(real)0.6, (real)1.7, 6}, target = {(real)0.2, (real)0.75, 0},
                up = {0, 1, 0};
@@ -113,10 +98,10 @@ static image show_spheres(const options *opt) {
 
 // As on the slide, with few bounces: black where s runs out; and mended.
 static image show_slide(const options *opt) {
-    const camera cam = studio_camera(opt->width / 2, opt->height);
+    const camera cam = studio_camera(image_part_width(opt->width, 0, 2), opt->height);
     image halves[] = {draw(opt, &cam, (job){studio, opt->depth, trace_slide}),
                       draw(opt, &cam, (job){studio, opt->depth, trace})};
-    return side_by_side(halves, COUNT(halves));
+    return image_side_by_side(halves, COUNT(halves));
 }
 
 // Wide enough for `half_width` to both sides of the target, whatever the picture's shape.
@@ -145,8 +130,8 @@ static image show_size(const options *opt, start_rule start, real size) {
         bodies[i] = (sphere){scale(size, bodies[i].c), size * bodies[i].r};
     const vec3 eye = scale(size, (vec3){0, 3, 9}),
                target = scale(size, (vec3){0, (real)0.8, 0});
-    const camera cam =
-        camera_across(eye, target, (real)2.5 * size, opt->width / 3, opt->height);
+    const camera cam = camera_across(eye, target, (real)2.5 * size,
+                                     image_part_width(opt->width, 0, 3), opt->height);
     const scene sc = {.spheres = bodies,
                       .sphere_materials = coats,
                       .sphere_count = COUNT(bodies),
@@ -158,7 +143,7 @@ static image show_size(const options *opt, start_rule start, real size) {
 static image show_acne(const options *opt, start_rule start) {
     image thirds[] = {show_size(opt, start, (real)1e-4), show_size(opt, start, 1),
                       show_size(opt, start, (real)1e4)};
-    return side_by_side(thirds, COUNT(thirds));
+    return image_side_by_side(thirds, COUNT(thirds));
 }
 
 static image show(const options *opt) {

@@ -22,26 +22,6 @@ static image draw(const options *opt, const camera *cam, job j) {
     return render(slip ? "09-path-tracer, by the slide" : "09-path-tracer", cam, look, &j, opt);
 }
 
-// Pictures of one height, from left to right in one. Frees them.
-static image side_by_side(image *parts, int count) {
-    int width = 0;
-    for (int i = 0; i < count; i++) width += parts[i].width;
-    image all = image_new(width, parts[0].height);
-    for (int i = 0, left = 0; i < count; i++) {
-        for (int y = 0; y < all.height; y++)
-            for (int x = 0; x < parts[i].width; x++)
-                *image_at(&all, left + x, y) = *image_at(&parts[i], x, y);
-        left += parts[i].width;
-        image_free(&parts[i]);
-    }
-    return all;
-}
-
-// The width of panel i of `count`, so that together they are as wide as the picture.
-static int panel_width(const options *opt, int i, int count) {
-    return (i + 1) * opt->width / count - i * opt->width / count;
-}
-
 // ---- the box -----------------------------------------------------------------------
 
 static job box_job(path_tracer f, int s) {
@@ -56,7 +36,7 @@ static image show_box(const options *opt) {
 enum { PANELS = 4 };
 
 static image box_panel(const options *opt, int i, int count, job j) {
-    const camera cam = box_camera(panel_width(opt, i, count), opt->height);
+    const camera cam = box_camera(image_part_width(opt->width, i, count), opt->height);
     return draw(opt, &cam, j);
 }
 
@@ -69,7 +49,7 @@ static image show_samples(const options *opt) {
         if (part.samples < 1) part.samples = 1;
         parts[i] = box_panel(&part, i, PANELS, box_job(path_trace, opt->depth));
     }
-    return side_by_side(parts, PANELS);
+    return image_side_by_side(parts, PANELS);
 }
 
 // Cut after 1, 2 and 3 bounces; and ended by roulette.
@@ -80,7 +60,7 @@ static image show_roulette(const options *opt) {
         parts[i] = box_panel(opt, i, PANELS,
                              cut ? box_job(trace_ray, i + 1) : box_job(path_trace, opt->depth));
     }
-    return side_by_side(parts, PANELS);
+    return image_side_by_side(parts, PANELS);
 }
 
 // ---- what is averaged ----------------------------------------------------------------
@@ -115,7 +95,7 @@ static image show_average(const options *opt) {
         parts[i] = box_panel(opt, i, COUNT(thens), j);
         if (thens[i] == encoded) decode(&parts[i]);
     }
-    return side_by_side(parts, COUNT(thens));
+    return image_side_by_side(parts, COUNT(thens));
 }
 
 // ---- the furnace ---------------------------------------------------------------------
@@ -131,8 +111,8 @@ static image ball_panel(const options *opt, int i, path_tracer f, real albedo) {
     const matte skin = {.albedo = {albedo, albedo, albedo}};
     const room furnace = {{.spheres = &ball, .sphere_count = 1, .sky = half_sky}, &skin};
     const vec3 eye = {1, 2, 5}, up = {0, 1, 0};
-    const camera cam =
-        camera_look_at(eye, ball.c, up, 30, panel_width(opt, i, PANELS), opt->height);
+    const camera cam = camera_look_at(eye, ball.c, up, 30,
+                                      image_part_width(opt->width, i, PANELS), opt->height);
     return draw(opt, &cam, (job){furnace, f, opt->depth, NULL});
 }
 
@@ -140,7 +120,7 @@ static image show_furnace(const options *opt) {
     image parts[PANELS] = {
         ball_panel(opt, 0, trace_ray_slide, 1), ball_panel(opt, 1, trace_ray, (real)0.5),
         ball_panel(opt, 2, trace_ray, (real)0.9), ball_panel(opt, 3, trace_ray, 1)};
-    return side_by_side(parts, PANELS);
+    return image_side_by_side(parts, PANELS);
 }
 
 static image show(const options *opt) {

@@ -23,21 +23,6 @@ static image draw(const options *opt, const camera *cam, scene bodies, const sur
     return img;
 }
 
-// Pictures of one height, from left to right in one. Frees them.
-static image side_by_side(image *parts, int count) {
-    int width = 0;
-    for (int i = 0; i < count; i++) width += parts[i].width;
-    image all = image_new(width, parts[0].height);
-    for (int i = 0, left = 0; i < count; i++) {
-        for (int y = 0; y < all.height; y++)
-            for (int x = 0; x < parts[i].width; x++)
-                *image_at(&all, left + x, y) = *image_at(&parts[i], x, y);
-        left += parts[i].width;
-        image_free(&parts[i]);
-    }
-    return all;
-}
-
 // ---- the box -------------------------------------------------------------------------
 
 static const real ball_alpha = (real)0.2;
@@ -76,7 +61,7 @@ enum { REFERENCE = 32 }; // times the samples of a part
 // Equal times side by side; below the names their errors.
 static image show_strategies(const options *opt) {
     options of = *opt;
-    of.width = opt->width / COUNT(contest);
+    of.width = image_part_width(opt->width, 0, COUNT(contest));
     of.samples = REFERENCE * opt->samples, of.seed = opt->seed + 1;
     image truth = show_box(&of, BY_POWER), parts[COUNT(contest)];
     of.seed = opt->seed;
@@ -87,7 +72,7 @@ static image show_strategies(const options *opt) {
                rmse(&parts[i], &truth));
     }
     image_free(&truth);
-    return side_by_side(parts, COUNT(parts));
+    return image_side_by_side(parts, COUNT(parts));
 }
 
 // ---- other scenes ----------------------------------------------------------------------
@@ -96,11 +81,11 @@ static image show_plates(const options *opt) {
     static const strategy ways[] = {BY_LAMPS, BY_BRDF, BY_POWER};
     veach_plates v;
     const scene bodies = veach_build(&v);
-    const camera cam = veach_camera(opt->width / COUNT(ways), opt->height);
+    const camera cam = veach_camera(image_part_width(opt->width, 0, COUNT(ways)), opt->height);
     image thirds[COUNT(ways)];
     for (int i = 0; i < COUNT(ways); i++)
         thirds[i] = draw(opt, &cam, bodies, v.surfaces, ways[i]);
-    return side_by_side(thirds, COUNT(thirds));
+    return image_side_by_side(thirds, COUNT(thirds));
 }
 
 static image show_row(const options *opt) {
