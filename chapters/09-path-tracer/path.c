@@ -46,10 +46,12 @@ color trace_ray_slide(const room *sc, ray r, int s, rng *g) {
 enum { SURE_BOUNCES = 3 };           // they carry most of the light
 static const real most = (real)0.95; // so that any path ends, after 20 more in the mean
 
+// Comparisons, not fmax and fmin, which are calls and cost more than all the rest of it.
 // By size, so that a negative weight, which is a mistake, is not hidden.
 real survival(color C, int bounce) {
     const vec3 size = absolute(C);
-    const real largest = fmax(size.x, fmax(size.y, size.z));
+    real largest = size.x > size.y ? size.x : size.y;
+    if (size.z > largest) largest = size.z;
     if (bounce < SURE_BOUNCES) return largest == 0 ? 0 : 1;
-    return fmin(largest, most);
+    return largest < most ? largest : most;
 }

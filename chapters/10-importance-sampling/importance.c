@@ -23,7 +23,7 @@ stop stop_at(const surface *m, ray r, hit h) {
 
 // ---- the light of the lamps ----------------------------------------------------------
 
-// Both ends lie off their surfaces.
+// Both ends lie off their surfaces, the far one only where the lamp could hide itself.
 static bool sees(const lit_room *sc, const stop *at, const aim *a) {
     const lamp *l = &sc->lamps.lamps[sc->lamps.of_body[a->body]];
     const vec3 end =
@@ -36,9 +36,9 @@ color direct_light(const lit_room *sc, const stop *at, rng *g) {
     const color black = {0, 0, 0};
     if (sc->strategy < BY_LAMPS) return black;
     const aim a = lamps_aim(&sc->lamps, at->start, g);
-    if (a.body < 0 || !a.on.front || !(a.p > 0) || !isfinite(a.p)) return black;
+    if (a.body < 0 || !a.on.front) return black;
     const color f = surface_brdf(at->m, at->n, at->o, a.v);
-    if (is_black(f) || !sees(sc, at, &a)) return black;
+    if (is_black(f) || !(a.p > 0) || !isfinite(a.p) || !sees(sc, at, &a)) return black;
     const real q = surface_probability(at->m, at->n, at->o, a.v);
     const real share = sc->strategy == BY_LAMPS ? 1 : heuristic(sc->strategy, a.p, q);
     return scale(share * dot(at->n, a.v) / a.p, mul(f, sc->surfaces[a.body].emittance));

@@ -42,13 +42,21 @@ scattered surface_scatter(const surface *m, vec3 n, vec3 o, rng *g);
 
 // ---- lamps -----------------------------------------------------------------------
 
+// A triangle of a lamp, with all that aiming at it needs.
+typedef struct {
+    triangle T;
+    vec3 n;     // unit
+    real up_to; // the area of the triangles so far, this one included
+} facet;
+
 // A body that shines and can be aimed at: a sphere or a mesh.
 typedef struct {
     int body;            // as scene_nearest numbers it
-    const sphere *S;     // or NULL
-    const mesh *m;       // or NULL
-    const real *areas;   // of a mesh: the area of triangles 0 .. i together
-    const vec3 *normals; // of a mesh: unit, one a triangle
+    const sphere *S;     // or NULL: a mesh
+    const facet *facets; // of a mesh; or NULL
+    int count;           // of facets
+    real area;           // of all of them
+    vec3 error;          // bounds that of a point of any facet, as in a hit
     bool hides_itself;   // can one part of it stand before another? Not of a flat mesh
 } lamp;
 

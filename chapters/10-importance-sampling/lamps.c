@@ -29,17 +29,24 @@ static bool is_flat(const mesh *m, vec3 n) {
 }
 
 static lamp mesh_lamp(int body, const mesh *m) {
-    real *areas = memory((size_t)m->count, sizeof *areas);
-    vec3 *normals = memory((size_t)m->count, sizeof *normals);
+    facet *facets = memory((size_t)m->count, sizeof *facets);
     double sum = 0;
+    vec3 most = {0, 0, 0};
     for (int i = 0; i < m->count; i++) {
-        const vec3 n = triangle_normal(mesh_triangle(m, i));
+        const triangle T = mesh_triangle(m, i);
+        const vec3 n = triangle_normal(T);
         const real twice = length(n);
         sum += (double)twice / 2;
-        areas[i] = (real)sum;
-        if (twice > 0) normals[i] = scale(1 / twice, n);
+        facets[i] = (facet){T, scale(twice > 0 ? 1 / twice : 0, n), (real)sum};
+        const vec3 sizes = add(add(absolute(T.p1), absolute(T.p2)), absolute(T.p3));
+        most = (vec3){fmax(most.x, sizes.x), fmax(most.y, sizes.y), fmax(most.z, sizes.z)};
     }
-    return (lamp){body, NULL, m, areas, normals, !is_flat(m, normals[0])};
+    return (lamp){.body = body,
+                  .facets = facets,
+                  .count = m->count,
+                  .area = (real)sum,
+                  .error = scale(rounding_bound(6), most),
+                  .hides_itself = !is_flat(m, facets[0].n)};
 }
 
 lamps lamps_find(const scene *bodies, const surface *surfaces) {
@@ -58,10 +65,7 @@ lamps lamps_find(const scene *bodies, const surface *surfaces) {
 }
 
 void lamps_free(lamps *all) {
-    for (int i = 0; i < all->count; i++) {
-        free((void *)all->lamps[i].areas);
-        free((void *)all->lamps[i].normals);
-    }
+    for (int i = 0; i < all->count; i++) free((void *)all->lamps[i].facets);
     free(all->lamps);
     free((void *)all->of_body);
     *all = (lamps){0};
@@ -84,27 +88,24 @@ static aim aim_at_sphere(const lamp *l, vec3 x, rng *g) {
 
 // ---- towards a mesh ------------------------------------------------------------------
 
-// The first triangle whose sum is above a random share of the area.
-static int some_triangle(const lamp *l, rng *g) {
-    const int last = l->m->count - 1;
-    const real goal = rng_real(g) * l->areas[last];
-    int i = 0;
-    while (i < last && l->areas[i] <= goal) i++;
-    return i;
+// The first facet whose sum is above a random share of the area.
+static const facet *some_facet(const lamp *l, rng *g) {
+    const real goal = rng_real(g) * l->area;
+    int passed = 0; // counted, not searched: no branch that depends on chance
+    for (int i = 0; i < l->count - 1; i++) passed += l->facets[i].up_to <= goal;
+    return &l->facets[passed];
 }
 
 static aim aim_at_mesh(const lamp *l, vec3 x, rng *g) {
-    const int i = some_triangle(l, g);
-    const triangle T = mesh_triangle(l->m, i);
+    const facet *f = some_facet(l, g);
+    const triangle T = f->T;
     const triangle_point q = triangle_sample(T, g);
     const vec3 y = add(add(scale(1 - q.u - q.v, T.p1), scale(q.u, T.p2)), scale(q.v, T.p3));
     const real t = length(sub(y, x));
     if (!(t > 0)) return (aim){.body = -1};
-    const vec3 v = scale(1 / t, sub(y, x)), n = l->normals[i];
-    const vec3 sizes = add(add(absolute(T.p1), absolute(T.p2)), absolute(T.p3));
-    const hit on = {t, y, scale(rounding_bound(6), sizes), n, dot(v, n) < 0};
-    const real area = l->areas[l->m->count - 1];
-    return (aim){l->body, on, v, solid_angle_probability(x, y, n, area)};
+    const vec3 v = scale(1 / t, sub(y, x));
+    const hit on = {t, y, l->error, f->n, dot(v, f->n) < 0};
+    return (aim){l->body, on, v, solid_angle_probability(x, y, f->n, l->area)};
 }
 
 // ---- any of them ---------------------------------------------------------------------
@@ -121,8 +122,8 @@ aim lamps_aim(const lamps *all, vec3 x, rng *g) {
 real lamps_probability(const lamps *all, int body, vec3 x, vec3 v, hit h) {
     if (all->of_body[body] < 0) return 0;
     const lamp *l = &all->lamps[all->of_body[body]];
-    const real p = l->S ? sphere_probability(*l->S, x, v)
-                        : solid_angle_probability(x, h.p, h.n, l->areas[l->m->count - 1]);
+    const real p =
+        l->S ? sphere_probability(*l->S, x, v) : solid_angle_probability(x, h.p, h.n, l->area);
     return p / (real)all->count;
 }
 

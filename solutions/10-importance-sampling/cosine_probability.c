@@ -1,5 +1,6 @@
 #include "chapters/10-importance-sampling/importance.h"
 
 real cosine_probability(vec3 n, vec3 v) {
-    return fmax(dot(n, v), 0) * (real)(1 / PI);
+    const real cosine = dot(n, v);
+    return cosine > 0 ? cosine * (real)(1 / PI) : 0;
 }
