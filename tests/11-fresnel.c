@@ -160,20 +160,19 @@ static void suspect_refractions(vec3 d, double eta, double c) {
     suspect_vec3("d mirrored", reflect(d, hand_n));
     if (sine * eta < 1)
         suspect_vec3("eta upside down: sin θ_t = eta sin θ", by_angle(sine * eta, 1));
-    suspect_vec3("n on the wrong side, or + in place of - before the root: the light comes "
-                 "back out",
+    suspect_vec3("n on the wrong side, or c + g in place of c - g before it: the light "
+                 "comes back out",
                  by_angle(sine / eta, -1));
     suspect_vec3("the angle divided by eta, not its sine", by_angle(sin(theta), 1));
     suspect_vec3("eta t: not divided by eta, so not of unit length",
                  combine(sine, hand_along, -g, hand_n));
-    suspect_vec3("cos θ with the sign of d·n: d points towards the surface, so cos θ = -d·n",
-                 combine(1 / eta, d, (-c - g) / eta, hand_n));
-    suspect_vec3("the same, made a unit vector",
-                 normalize(combine(1 / eta, d, (-c - g) / eta, hand_n)));
-    suspect_vec3("cos θ in place of cos θ_t: only the part in the surface was changed",
-                 combine(sine / eta, hand_along, -c, hand_n));
-    suspect_vec3("the same, made a unit vector",
-                 normalize(combine(sine / eta, hand_along, -c, hand_n)));
+    const char *const sign = "c = d·n: the sign is missing, cos θ = -d·n";
+    const vec3 turned = combine(1 / eta, d, (-c - g) / eta, hand_n);
+    suspect_vec3(sign, turned);
+    suspect_vec3(sign, normalize(turned));
+    const char *const half = "cos θ in place of cos θ_t: only the part in the surface changed";
+    suspect_vec3(half, combine(sine / eta, hand_along, -c, hand_n));
+    suspect_vec3(half, normalize(combine(sine / eta, hand_along, -c, hand_n)));
 }
 
 static void snell_by_hand(void) {
@@ -225,15 +224,19 @@ static void snell_generic(void) {
         given("d = " VEC ", n = " VEC ", eta = %.9g; cos θ = %.6g", ARG(k.d), ARG(k.n), k.eta,
               k.c);
         CHECK_BOOL(refract(k.d, k.n, (real)k.eta, &t), true);
-        CHECK_REAL(
-            wide_length(t), 1,
-            roundings(12 + 8 / k.eta, "a unit vector; out of glass roundings are magnified"));
-        CHECK_REAL(wide_dot(widen(t), wide_cross(widen(k.n), widen(k.along))), 0,
+        CHECK_REAL(wide_length(t), 1,
+                   roundings(12 + ceil(8 / k.eta),
+                             "a unit vector; out of glass roundings are magnified"));
+        const double t_out_of_the_plane =
+            wide_dot(widen(t), wide_cross(widen(k.n), widen(k.along)));
+        CHECK_REAL(t_out_of_the_plane, 0,
                    absolute_of(fair, "t lies in the plane of d and n, but for rounding"));
-        CHECK(wide_dot(widen(t), widen(k.n)) < 0, "t goes on behind the surface: t·n < 0");
+        const bool behind = wide_dot(widen(t), widen(k.n)) < 0;
+        CHECK(behind, "t goes on behind the surface: t·n < 0");
         suspect_factor("eta upside down: sin θ_t = eta sin θ", k.eta * k.eta);
         suspect_factor("not bent", k.eta);
-        CHECK_REAL(wide_dot(widen(t), widen(k.along)), sine / k.eta,
+        const double t_along_the_surface = wide_dot(widen(t), widen(k.along));
+        CHECK_REAL(t_along_the_surface, sine / k.eta,
                    absolute_of(fair, "sin θ_t = sin θ / eta; d and n are rounded"));
         CHECK_VEC3(t, refracted(k.d, k.n, k.eta), absolute_of(fair, "d and n are rounded"));
     }
@@ -245,10 +248,13 @@ static void check_total(setting k, double off) {
     given("d = " VEC ", n = " VEC ", eta = %.9g; %.2g radians beyond the critical angle",
           ARG(k.d), ARG(k.n), k.eta, off);
     const bool through = refract(k.d, k.n, (real)k.eta, &t);
-    CHECK(!isnan(t.x + t.y + t.z),
+    const bool t_is_a_number = !through || !isnan(t.x + t.y + t.z);
+    CHECK(t_is_a_number,
           "no NaN: there is no root of a negative number, that is total reflection");
-    CHECK(!through, "false: nothing goes through, since sin θ / eta is above 1");
-    CHECK_VEC3(t, before, exactly());
+    const bool returned_false = !through;
+    CHECK(returned_false, "false: nothing goes through, since sin θ / eta is above 1");
+    const bool t_as_before = t.x == before.x && t.y == before.y && t.z == before.z;
+    CHECK(t_as_before, "false must leave *t alone; it was (7, 8, 9) before");
 }
 
 // A surface that is met so much, in radians, beyond the critical angle; within it when
@@ -264,22 +270,32 @@ static void check_not_total(setting k, double off) {
     vec3 t = {0, 0, 0};
     given("d = " VEC ", n = " VEC ", eta = %.9g; %.2g radians within the critical angle",
           ARG(k.d), ARG(k.n), k.eta, off);
-    CHECK(refract(k.d, k.n, (real)k.eta, &t), "true: some light goes through");
+    const bool returned_true = refract(k.d, k.n, (real)k.eta, &t);
+    CHECK(returned_true, "true: some light goes through");
     const double g = sqrt((double)far_square(incidence_of(k.d, k.n, k.eta)));
     CHECK_VEC3(t, refracted(k.d, k.n, k.eta),
                absolute_of(REAL_EPSILON * (3 + 5 * (1 + 1 / g) / k.eta),
                            "the roundings of d and n, magnified by the root"));
 }
 
+// Radians off the critical angle.
+static const double apart[] = {8.4 * REAL_EPSILON, 1e-5, 1e-3, 0.03, 0.1};
+
 static void total_reflection(void) {
-    const double offs[] = {8.4 * REAL_EPSILON, 1e-5, 1e-3, 0.03, 0.1};
     rng g = check_rng(2);
     for (int i = 0; i < 4000; i++) {
-        const double eta = (real)between(&g, 0.3, 0.9), off = offs[i % COUNT(offs)];
-        const setting beyond = near_critical(eta, off, &g),
-                      within = near_critical(eta, -off, &g);
-        if (beyond.eta > 0) check_total(beyond, off);
-        if (within.eta > 0) check_not_total(within, off);
+        const double eta = (real)between(&g, 0.3, 0.9), off = apart[i % COUNT(apart)];
+        const setting k = near_critical(eta, off, &g);
+        if (k.eta > 0) check_total(k, off);
+    }
+}
+
+static void nearly_total(void) {
+    rng g = check_rng(19);
+    for (int i = 0; i < 4000; i++) {
+        const double eta = (real)between(&g, 0.3, 0.9), off = apart[i % COUNT(apart)];
+        const setting k = near_critical(eta, -off, &g);
+        if (k.eta > 0) check_not_total(k, off);
     }
 }
 
@@ -318,11 +334,20 @@ static void same_index(void) {
                    absolute_of(5 * REAL_EPSILON + 16 * DBL_EPSILON / fmax(k.c, 1e-8),
                                "a unit vector; and what a root in double loses"));
     }
+}
+
+// cos θ = 0, without a rounding.
+static void along_surface(void) {
+    const vec3 d = {1, 0, 0}, n = {0, 1, 0};
     vec3 t = {0, 0, 0};
     given("d = (1, 0, 0) along the surface, n = (0, 1, 0), eta = 2: the critical angle from "
           "the other side");
-    CHECK_BOOL(refract((vec3){1, 0, 0}, (vec3){0, 1, 0}, 2, &t), true);
+    CHECK_BOOL(refract(d, n, 2, &t), true);
     CHECK_VEC3(t, ((vec3){(real)0.5, (real)-sqrt(0.75), 0}), roundings(4, "a unit vector"));
+    given("d = (1, 0, 0) along the surface, n = (0, 1, 0), eta = 1: sin θ / eta is 1, which "
+          "is not above 1");
+    CHECK_BOOL(refract(d, n, 1, &t), true);
+    CHECK_VEC3(t, d, roundings(4, "a unit vector"));
 }
 
 // ---- fresnel_dielectric --------------------------------------------------------------
@@ -331,6 +356,13 @@ static void same_index(void) {
 static void suspect_reflectances(double c, double eta) {
     const polarised r = polarised_exact(c, eta);
     const double s = sqrt(r.s), p = sqrt(r.p), far = far_cosine(c, eta);
+    const double R = (r.s + r.p) / 2;
+    if (far > 0 && s > 0.9 && p > 0.9) { // near 1 the slips below are too much alike
+        suspect_value("1, as on total reflection, which is near but not here: too few digits: "
+                      "double inside?",
+                      1);
+        return;
+    }
     suspect_value("r_s² alone: unpolarised light is half r_s², half r_p². Is your r_p "
                   "another r_s? In r_p eta stands with the cosine of this side",
                   r.s);
@@ -346,6 +378,8 @@ static void suspect_reflectances(double c, double eta) {
     suspect_value("the cosine of the wrong side", fresnel_exact(far, eta));
     const double a = (c - far) / (c + far);
     suspect_value("both cosines are there, but eta is missing from r_s", (a * a + r.p) / 2);
+    const double sum = c + eta * far; // r_s = (c - g)/sum = -m/sum²
+    suspect_value("r_s = -m/(c + g): c + g stands there squared", R * sum * sum);
 }
 
 static void reflect_straight(void) {
@@ -356,6 +390,7 @@ static void reflect_straight(void) {
         suspect_value("(eta - 1)/(eta + 1): not squared", fabs(eta - 1) / (eta + 1));
         suspect_value("r_s² + r_p²: the mean of both is wanted, not their sum", 2 * R0);
         suspect_value("one of the two alone, and halved", R0 / 2);
+        suspect_value("r_s = -m/(c + g): c + g stands there squared", square(eta - 1));
         suspect_value("1 - R: the share that goes through", 1 - R0);
         CHECK_REAL(fresnel_dielectric(1, (real)eta), R0,
                    relative_to(0.6 * REAL_EPSILON + 64 * DBL_EPSILON / fabs(eta - 1),
@@ -370,6 +405,8 @@ static void brewster(void) {
         const double eta = (real)etas[i], c = (real)(1 / sqrt(1 + eta * eta));
         const double s = (eta * eta - 1) / (eta * eta + 1);
         given("Brewster's angle, tan θ = eta: cosine = %.9g, eta = %.9g", c, eta);
+        suspect_value("r_s² + r_p²: the half is missing? Or is it r_s² alone? r_p is 0 here",
+                      s * s);
         suspect_reflectances(c, eta);
         CHECK_REAL(fresnel_dielectric((real)c, (real)eta), s * s / 2,
                    relative_to(16 * REAL_EPSILON, "the cosine was rounded"));
@@ -652,7 +689,8 @@ static void two_directions(void) {
         CHECK_VEC3(
             v, back ? reflected : through,
             absolute_of(8 * REAL_EPSILON + magnified(k.c, k.eta), "d and n are rounded"));
-        CHECK_REAL(wide_length(v), 1, roundings(12, "a unit vector"));
+        const double length_of_v = wide_length(v);
+        CHECK_REAL(length_of_v, 1, roundings(12, "a unit vector"));
     }
 }
 
@@ -666,7 +704,6 @@ static long mirrored_of(setting k, long count, rng *g) {
 
 // 5 standard errors and one draw: a share near 0 is not normally distributed.
 static void share_mirrored(void) {
-
     const double settings[][2] = {
         {1 / 1.5, 0.76}, {0.5, 0.9},       {1.5, 0.9},  {1.5, 0.3},    {1.5, 0.1}, {2.4, 0.7},
         {1.33, 0.05},    {1 / 1.5, 0.755}, {0.8, 0.62}, {1.02, 0.015}, {3, 0.4}};
@@ -681,8 +718,7 @@ static void share_mirrored(void) {
         suspect_value("mirrored and refracted turn about: probability 1/2, not R", 0.5);
         suspect_value("1 - R: mirrored and refracted are exchanged", 1 - R);
         suspect_value("never mirrored: is R asked, and is g used?", 0);
-        suspect_value("always mirrored: what is R, and is g used?", 1);
-
+        suspect_value("always mirrored: is cosine = -d·n? And is g used?", 1);
         suspect_value("Schlick's R, not the exact one", schlick_exact(k.c, k.eta));
         suspect_value("R with eta upside down", fresnel_exact(k.c, 1 / k.eta));
         suspect_value("R with the cosine of the wrong side",
@@ -720,6 +756,59 @@ static void never_mirrored(void) {
     }
 }
 
+// Two numbers for one choice are none too few: the chances would not add up to 1.
+static bool same_state(rng a, rng b) {
+    return a.state == b.state && a.increment == b.increment;
+}
+
+static void draws_once(void) {
+    rng g = check_rng(20);
+    for (int i = 0; i < 2000; i++) {
+        const setting k = setting_at(between(&g, 0.02, 1), exp(between(&g, -1, 1)), &g);
+        rng one = g, other = g;
+        const rng none = g;
+        rng_real(&one);
+        rng_double(&other);
+        glass_bounce(k.d, k.n, (real)k.eta, &g);
+        const bool at_most_one_number =
+            same_state(g, none) || same_state(g, one) || same_state(g, other);
+        given("d = " VEC ", n = " VEC ", eta = %.9g, and the generator g before and after",
+              ARG(k.d), ARG(k.n), k.eta);
+        CHECK(at_most_one_number, "one number of g decides, or none on total reflection");
+    }
+}
+
+// So near the critical angle that in double it is total reflection, while the cosine,
+// rounded to real, still says R < 1. Rare: eta and d are tried until it is so.
+static setting nearly_through(rng *g) {
+    for (int i = 0; i < 1000; i++) {
+        const double eta = (real)between(g, 0.3, 0.9);
+        const setting k = setting_at(sqrt((1 - eta) * (1 + eta)), eta, g);
+        vec3 t;
+        const bool through = refract(k.d, k.n, (real)k.eta, &t);
+        if (!through && fresnel_dielectric(-dot(k.d, k.n), (real)k.eta) < 1) return k;
+    }
+    return (setting){.eta = 0};
+}
+
+static void nearly_total_bounce(void) {
+    rng g = check_rng(21);
+    for (int i = 0; i < 40; i++) {
+        const setting k = nearly_through(&g);
+        const vec3 back = mirrored(k.d, k.n), along = normalize(add(k.d, back));
+        for (int draw = 0; k.eta > 0 && draw < 4000; draw++) {
+            const vec3 v = glass_bounce(k.d, k.n, (real)k.eta, &g);
+            const bool is_along = wide_length(sub(v, along)) < 0.01;
+            given("d = " VEC ", n = " VEC ", eta = %.9g: the critical angle, but for a "
+                  "rounding. refract returns false, and R is a little below 1: draw %d",
+                  ARG(k.d), ARG(k.n), k.eta, draw + 1);
+            suspect_vec3("d itself: it went straight through. What did refract return?", k.d);
+            suspect_vec3("nothing: what did refract return?", (vec3){0, 0, 0});
+            if (!is_along) CHECK_VEC3(v, back, roundings(24, "d and n are rounded"));
+        }
+    }
+}
+
 // A cosine that rounding has made larger than 1, or negative.
 static void rounded_cosines(void) {
     rng g = check_rng(18);
@@ -731,7 +820,12 @@ static void rounded_cosines(void) {
         const vec3 v = glass_bounce(d, n, eta, &g);
         given("cos θ = %.9g, which rounding moved: d = " VEC ", n = " VEC ", eta = %.9g",
               cosine_of(d, n), ARG(d), ARG(n), (double)eta);
-        CHECK_REAL(wide_length(v), 1, roundings(16, "a unit vector"));
+        const double R = fresnel_exact(fmin(fmax(c, 0), 1), (double)eta);
+        suspect_value("R times the direction: R is the chance to be drawn, and cancels", R);
+        suspect_value("1 - R times the direction: it is the chance to be drawn, and cancels",
+                      1 - R);
+        const double length_of_v = wide_length(v);
+        CHECK_REAL(length_of_v, 1, roundings(16, "a unit vector"));
     }
 }
 
@@ -1535,7 +1629,8 @@ static void focus_of_ball(void) {
         const vec3 at = combine(1, in, chord, d);
         refract(d, neg(at), (real)(1 / ns[i]), &out);
         given("a ray 0.01 off the axis of a ball of radius 1, n = %g, straight down", ns[i]);
-        CHECK_REAL((double)-at.y + (double)(at.x / out.x * out.y), ball_focus(ns[i]),
+        const double depth_of_the_crossing = (double)-at.y + (double)(at.x / out.x * out.y);
+        CHECK_REAL(depth_of_the_crossing, ball_focus(ns[i]),
                    absolute_of(2e-3 + 1e3 * REAL_EPSILON,
                                "the ray is not on the axis; and 0.01 magnifies roundings"));
     }
@@ -1678,11 +1773,17 @@ int main(void) {
     static const test tests[] = {
         {"refract: worked out by hand", snell_by_hand, snell},
         {"refract: 20,000 generic surfaces", snell_generic, snell},
-        {"refract: total reflection, to a millionth of the critical angle", total_reflection,
-         total},
+        {"refract: total reflection, to a millionth beyond the critical angle",
+         total_reflection, total},
+        {"refract: just within the critical angle", nearly_total,
+         "Little is left under the root, but it is above 0: it wants all digits (double), and "
+         "no epsilon."},
         {"refract: back the same way", refract_back, snell},
         {"refract: the same index on both sides", same_index,
          "With eta = 1 nothing is bent. Which number is subtracted from a nearly equal one?"},
+        {"refract: along the surface", along_surface,
+         "cos θ = 0 is an angle like any other. Only *above* 1 is a sine impossible: what if "
+         "it is 1?"},
         {"fresnel_dielectric: straight on", reflect_straight, fresnel},
         {"fresnel_dielectric: Brewster's angle", brewster, fresnel},
         {"fresnel_dielectric: along the surface", grazing,
@@ -1692,7 +1793,10 @@ int main(void) {
         {"fresnel_dielectric: higher precision, into and out of glass", reflect_generic,
          fresnel},
         {"fresnel_dielectric: eta near 1", reflect_nearly_nothing, digits},
-        {"fresnel_dielectric: at the critical angle", reflect_critical, total},
+        {"fresnel_dielectric: at the critical angle", reflect_critical,
+         "Total reflection begins where sin θ / eta is above 1: is that decided before the "
+         "root? "
+         "Close to it little is left under the root: double inside."},
         {"fresnel_dielectric: the same from both sides", reciprocity, fresnel},
         {"fresnel_dielectric: diffuse light", diffuse_light, fresnel},
         {"schlick: from outside", schlick_outside, slide},
@@ -1707,9 +1811,15 @@ int main(void) {
         {"glass_bounce: one of two directions", two_directions, decide},
         {"glass_bounce: the share that is mirrored is R", share_mirrored, decide},
         {"glass_bounce: total reflection", always_mirrored, total},
+        {"glass_bounce: at the critical angle", nearly_total_bounce,
+         "A rounding decides there, and not the same one for R and for refract. What if R "
+         "says through, but refract says false?"},
+        {"glass_bounce: draws at most one number", draws_once,
+         "Draw once; then compare as often as you like."},
         {"glass_bounce: the same index on both sides", never_mirrored, decide},
         {"glass_bounce: cosines that rounding made impossible", rounded_cosines,
-         "-d·n may be 1.0000001, or a little below 0: what does your root make of that?"},
+         "-d·n may be 1.0000001, or a little below 0. What does fresnel_dielectric make of "
+         "that, or refract?"},
         {"fresnel_conductor: straight on", conductor_straight, conductor},
         {"fresnel_conductor: the metals at all angles", conductor_metals, conductor},
         {"fresnel_conductor: 5000 generic conductors", conductor_generic, conductor},

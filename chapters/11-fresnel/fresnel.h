@@ -1,7 +1,8 @@
 // fresnel.h: what a smooth boundary reflects and what it lets through.
 //
 // eta = n_transmitted / n_incident: above 1 into the denser side, below 1 out of it.
-// cosine: of the angle between the ray and the normal on the ray's own side, 0 to 1.
+// cosine: of the angle between the ray and the normal on the ray's own side, 0 to 1 but
+// for rounding.
 #ifndef CHAPTER_FRESNEL_H
 #define CHAPTER_FRESNEL_H
 
@@ -42,7 +43,7 @@ real schlick(real cosine, real eta);
 
 // The next direction at a glass surface: d mirrored with the probability R =
 // fresnel_dielectric, else refracted; unit. R cancels: the path's weight stays as it is.
-// d and n are unit, d·n <= 0 (but for rounding). Draws one number.
+// d and n are unit, d·n <= 0 (but for rounding). Draws at most one number.
 vec3 glass_bounce(vec3 d, vec3 n, real eta, rng *g);
 
 // As fresnel_dielectric, for conductors of the index eta + i k, colour by colour: eta > 0,

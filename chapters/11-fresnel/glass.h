@@ -41,8 +41,8 @@ media media_pass(media in, int body, bool inwards);
 
 // A path_tracer for glass rooms: the radiance that arrives along r, in the medium that it
 // starts in. A boundary with the same index on both sides (as that of the weaker of two
-// bodies that overlap) is passed as if it were not there, and is no bounce. Source: Schmidt and
-// Budge 2002.
+// bodies that overlap) is passed as if it were not there, and is no bounce. Faces that coincide
+// must be made to overlap a little. Source: Schmidt and Budge 2002.
 color glass_trace(const glass_room *sc, ray r, int s, rng *g);
 
 #endif

@@ -30,21 +30,6 @@ static image draw_under_sky(const options *opt, const camera *cam, scene bodies,
     return img;
 }
 
-// Pictures of one height, from left to right in one. Frees them.
-static image side_by_side(image *parts, int count) {
-    int width = 0;
-    for (int i = 0; i < count; i++) width += parts[i].width;
-    image all = image_new(width, parts[0].height);
-    for (int i = 0, left = 0; i < count; i++) {
-        for (int y = 0; y < all.height; y++)
-            for (int x = 0; x < parts[i].width; x++)
-                *image_at(&all, left + x, y) = *image_at(&parts[i], x, y);
-        left += parts[i].width;
-        image_free(&parts[i]);
-    }
-    return all;
-}
-
 // Wide enough for `half_width` to both sides of the target, whatever the picture's shape.
 static camera camera_across(vec3 eye, vec3 target, real half_width, int width, int height) {
     const real slope = half_width / length(sub(target, eye)) * (real)height / (real)width;
@@ -159,7 +144,8 @@ static color look_split(const void *data, ray r, rng *g) {
 static image draw_split(const options *opt, reflectance *R) {
     const lone_ball b = {{{0, 0, 0}, 1}, (real)1.5, R};
     const vec3 eye = {0, (real)0.6, 5}, target = {0, 0, 0};
-    const camera cam = camera_across(eye, target, (real)1.15, opt->width / 4, opt->height);
+    const camera cam =
+        camera_across(eye, target, (real)1.15, image_part_width(opt->width, 0, 4), opt->height);
     return draw(opt, &cam, look_split, &b);
 }
 
@@ -179,7 +165,7 @@ static image show_schlick(const options *opt) {
     parts[2] = difference(&parts[0], &parts[1]);
     parts[3] = difference(&parts[0], &slide);
     image_free(&slide);
-    return side_by_side(parts, COUNT(parts));
+    return image_side_by_side(parts, COUNT(parts));
 }
 
 // ---- nested: a ball of glass, filled with water, with a bubble in it ---------------------
@@ -202,7 +188,8 @@ static image draw_nested(const options *opt, real hollow, real water) {
     const surface surfaces[NESTED_BODIES] = {{.alpha = 0}};
     const scene bodies = {.spheres = balls, .sphere_count = NESTED_BODIES, .sky = board_sky};
     const vec3 eye = {0, (real)0.7, 6}, target = {0, 0, 0};
-    const camera cam = camera_across(eye, target, (real)1.15, opt->width / 3, opt->height);
+    const camera cam =
+        camera_across(eye, target, (real)1.15, image_part_width(opt->width, 0, 3), opt->height);
     return draw_under_sky(opt, &cam, bodies, surfaces, nested);
 }
 
@@ -213,7 +200,7 @@ static image show_nested(const options *opt) {
     const real size = (real)0.9;
     image parts[] = {draw_nested(opt, 0, size), draw_nested(opt, size, size),
                      draw_nested(opt, size, size * (real)0.999)};
-    return side_by_side(parts, COUNT(parts));
+    return image_side_by_side(parts, COUNT(parts));
 }
 
 // ---- the two that prove what they show: proofs.c -----------------------------------------
@@ -222,7 +209,7 @@ static image show_caustic(const options *opt) {
     image floors[FLOORS];
     const int failed = prove_caustic(opt, floors);
     if (failed) die(EXIT_RUN, "%d claims about the caustic fail", failed);
-    image all = side_by_side(floors, FLOORS);
+    image all = image_side_by_side(floors, FLOORS);
     for (int i = 0; i < all.width * all.height; i++) { // light of any strength to 0 .. 1
         const real E = all.pixels[i].y;
         all.pixels[i] = scale(1 / (2 + E), all.pixels[i]);

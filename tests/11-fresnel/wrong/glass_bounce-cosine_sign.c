@@ -1,5 +1,5 @@
 // Wrong: the cosine with the sign of d·n, a number below 0.
-// Expect: always mirrored
+// Expect: always mirrored: is cosine = -d·n?
 #include "chapters/11-fresnel/fresnel.h"
 
 vec3 glass_bounce(vec3 d, vec3 n, real eta, rng *g) {

@@ -1,5 +1,5 @@
 // Wrong: cos θ = d·n, without the minus.
-// Expect: cos θ with the sign of d·n
+// Expect: c = d·n: the sign is missing, cos θ = -d·n
 #include "chapters/11-fresnel/fresnel.h"
 
 bool refract(vec3 d, vec3 n, real eta, vec3 *t) {

@@ -1,5 +1,5 @@
 // Wrong: n is taken on the wrong side: + before the root.
-// Expect: n on the wrong side, or + in place of - before the root
+// Expect: n on the wrong side, or c + g in place of c - g
 #include "chapters/11-fresnel/fresnel.h"
 
 bool refract(vec3 d, vec3 n, real eta, vec3 *t) {

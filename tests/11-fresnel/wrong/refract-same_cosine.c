@@ -1,5 +1,5 @@
 // Wrong: only the part in the surface is changed, and the sum made a unit vector.
-// Expect: the same, made a unit vector
+// Expect: cos θ in place of cos θ_t
 #include "chapters/11-fresnel/fresnel.h"
 
 bool refract(vec3 d, vec3 n, real eta, vec3 *t) {
