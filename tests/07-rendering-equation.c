@@ -4,6 +4,28 @@
 #include "common/measure.h"
 #include "tests/check.h"
 
+#include <stdarg.h>
+#include <stdio.h>
+
+static const char *in_words(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static const char *in_words(const char *format, ...) {
+    static char words[300];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(words, sizeof words, format, args);
+    va_end(args);
+    return words;
+}
+
+// CHECK, and what is the case instead: printf's format.
+#define DEMAND(holds, claim, ...)                                                          \
+    do {                                                                                   \
+        if (!(holds)) check_that(__FILE__, __LINE__, in_words(__VA_ARGS__), false, claim); \
+    } while (0)
+// CHECK_AT_MOST of something that has a name.
+#define DEMAND_AT_MOST(what, got, bound, why) \
+    check_at_most(__FILE__, __LINE__, what, got, bound, why)
+
 static double between(rng *g, double low, double high) {
     return low + (high - low) * rng_double(g);
 }
@@ -43,8 +65,12 @@ typedef enum {
     NEITHER,
     COSINE_TWICE,
     WHOLE_SPHERE,
+    WHOLE_NO_SINE,
+    NO_SINE_TWICE,
     ABOUT_Z,
+    HALF_ROUND,
     SWAPPED,
+    X_AND_W,
     SLIPS
 } slip;
 
@@ -54,36 +80,58 @@ static const char *const slip_names[SLIPS] = {
     [NEITHER] = "the integral with neither cosine nor sine",
     [COSINE_TWICE] = "the cosine was taken twice",
     [WHOLE_SPHERE] = "θ ran from 0 to π: what comes from below was added, or taken off",
+    [WHOLE_NO_SINE] = "the sine of dw is missing, and θ ran from 0 to π",
+    [NO_SINE_TWICE] = "the sine of dw is missing, and dθ is π / n_theta, not half of it",
     [ABOUT_Z] = "the hemisphere about the z axis, not about n",
+    [HALF_ROUND] = "φ ran only half the way round",
+    [X_AND_W] = "L_i(world, w, x): x comes before w",
     [SWAPPED] = "n_theta and n_phi are swapped in the loops",
 };
 
 static double with_slip(slip s, radiance_field L_i, const void *world, place at, int n_theta,
                         int n_phi) {
-    const double top = s == WHOLE_SPHERE ? PI : PI / 2;
-    const double d_theta = top / n_theta, d_phi = 2 * PI / n_phi;
+    const bool whole = s == WHOLE_SPHERE || s == WHOLE_NO_SINE;
+    const bool sine = s != NO_SINE && s != NEITHER && s != WHOLE_NO_SINE && s != NO_SINE_TWICE;
+    const double d_theta = (whole ? PI : PI / 2) / n_theta;
+    const double d_phi = (s == HALF_ROUND ? PI : 2 * PI) / n_phi;
     const vec3 n = s == ABOUT_Z ? (vec3){0, 0, 1} : at.n;
     const int sectors = s == SWAPPED ? n_theta : n_phi;
     double sum = 0;
     for (int k = 0; k < n_theta * n_phi; k++) {
         const double theta = (k / sectors + 0.5) * d_theta, phi = (k % sectors + 0.5) * d_phi;
+        const vec3 w = direction_at(n, theta, phi);
         double weight = d_theta * d_phi;
         if (s != NO_COSINE && s != NEITHER) weight *= cos(theta);
         if (s == COSINE_TWICE) weight *= cos(theta);
-        if (s != NO_SINE && s != NEITHER) weight *= sin(theta);
-        sum += weight * L_i(world, at.x, direction_at(n, theta, phi));
+        if (sine) weight *= sin(theta);
+        sum += weight * (s == X_AND_W ? L_i(world, w, at.x) : L_i(world, at.x, w));
     }
-    return sum;
+    return s == NO_SINE_TWICE ? 2 * sum : sum;
 }
 
+static bool alike(double a, double b) {
+    return fabs(a - b) <= 0.02 * fabs(b);
+}
+
+// A slip that changes nothing here, or leaves nothing, cannot be told. Half round and
+// swapped loops can be the same: then both are named.
 static void suspect_slips(radiance_field L_i, const void *world, place at, int n_theta,
                           int n_phi) {
+    double value[SLIPS];
+    for (int s = RIGHT; s < SLIPS; s++)
+        value[s] = with_slip((slip)s, L_i, world, at, n_theta, n_phi);
+    if (alike(value[HALF_ROUND], value[SWAPPED])) {
+        suspect_value("φ did not run all the way round: only to π, or n_theta and n_phi are "
+                      "swapped in the loops",
+                      value[SWAPPED]);
+        value[HALF_ROUND] = value[SWAPPED] = 0;
+    }
     for (int s = RIGHT + 1; s < SLIPS; s++)
-        suspect_value(slip_names[s], with_slip((slip)s, L_i, world, at, n_theta, n_phi));
+        if (value[s] != 0 && !alike(value[s], value[RIGHT]))
+            suspect_value(slip_names[s], value[s]);
     suspect_factor("dθ dφ is missing", (double)n_theta * n_phi / (PI * PI));
     suspect_factor("dθ is missing", n_theta / (PI / 2));
     suspect_factor("dφ is missing", n_phi / (2 * PI));
-    suspect_factor("φ ran only half the way round", 0.5);
 }
 
 // A light of radiance 0 or 1 has a rim, and the cells that it crosses count whole or not
@@ -140,10 +188,19 @@ static void uniform_sky(void) {
         suspect_value("2π: the cosine w·n is missing, or the sine of dw = sin θ dθ dφ", 2 * PI);
         suspect_value(slip_names[NEITHER], PI * PI);
         suspect_value(slip_names[COSINE_TWICE], 2 * PI / 3);
-        suspect_factor("φ ran only half the way round", 0.5);
+        suspect_value("neither sine nor cosine, and dθ = π / n_theta: θ ends at π/2",
+                      2 * PI * PI);
+        suspect_value("the sine of dw is missing, and dθ is π / n_theta, not half of it",
+                      4 * PI);
+        suspect_factor(slip_names[HALF_ROUND], 0.5);
         suspect_factor("dθ dφ is missing", (double)n_theta * n_phi / (PI * PI));
         suspect_value(slip_names[SWAPPED],
                       with_slip(SWAPPED, from_uniform_sky, NULL, at, n_theta, n_phi));
+        const double E = irradiance(from_uniform_sky, NULL, at.x, at.n, n_theta, n_phi);
+        if (E != 0 && fabs(E) < 1e-9)
+            suspect_value("nothing is left: θ ran from 0 to π, and what comes from below was "
+                          "taken off",
+                          E);
         CHECK_REAL(irradiance(from_uniform_sky, NULL, at.x, at.n, n_theta, n_phi), PI,
                    absolute_of(smooth_tolerance(n_theta), "the midpoint rule's own error"));
     }
@@ -187,12 +244,15 @@ static void promised_rate(void) {
     const smooth s = {at.n, unit_vector(&g)};
     const double E = smooth_irradiance(&s);
     for (int n = 8; n <= 64; n *= 2) {
+        given("a smooth sky, E = %.9g; %d x %d directions", E, n, n);
         const double once = irradiance(from_smooth_sky, &s, at.x, at.n, n, n) - E;
         const double twice = irradiance(from_smooth_sky, &s, at.x, at.n, 2 * n, 2 * n) - E;
         given("a smooth sky, E = %.9g; the error with %d x %d directions is %.3g", E, n, n,
               once);
-        CHECK_AT_MOST(fabs(twice), fabs(once) / 3.5 + 1e-6,
-                      "twice as many directions each way: an error of n^-2 falls to a quarter");
+        DEMAND_AT_MOST(
+            "irradiance, twice as many directions each way: its error", fabs(twice),
+            fabs(once) / 3.5 + 1e-6,
+            "twice as many directions each way: an error of n^-2 falls to a quarter");
     }
 }
 
@@ -290,39 +350,92 @@ static void discs_and_rectangles(void) {
     }
 }
 
-// What L_i was asked for.
+// What L_i was asked for: how often wrongly, and the first wrong direction.
+enum { ASKED_THETA = 12, ASKED_PHI = 17, ASKED = ASKED_THETA * ASKED_PHI };
+
 typedef struct {
     place at;
-    int count, elsewhere, not_unit, below;
+    int count, elsewhere, turned_round, not_unit, below;
+    vec3 first_not_unit, first_below;
+    int off_middle, at_rings, rings[ASKED_THETA + 1];
+    double first_off;
 } asked;
+
+static double angle_between(vec3 a, vec3 b) {
+    const wide3 across = wide_cross(widen(a), widen(b));
+    return atan2(sqrt(wide_dot(across, across)), wide_dot(widen(a), widen(b)));
+}
+
+static bool same_vec3(vec3 a, vec3 b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static void note_direction(asked *a, vec3 w) {
+    const bool unit = fabs(wide_dot(widen(w), widen(w)) - 1) < 16 * REAL_EPSILON;
+    const bool above = wide_dot(widen(w), widen(a->at.n)) > -8 * REAL_EPSILON;
+    if (!unit && a->not_unit++ == 0) a->first_not_unit = w;
+    if (!above && a->below++ == 0) a->first_below = w;
+    const double theta = angle_between(w, a->at.n), rows = theta / (PI / 2 / ASKED_THETA);
+    if (!(fabs(rows - floor(rows) - 0.5) < 0.01) && a->off_middle++ == 0) a->first_off = theta;
+    const int ring = (int)lround(rows);
+    if (!(fabs(rows - ring) < 0.01) || ring > ASKED_THETA) return;
+    a->at_rings++;
+    a->rings[ring]++;
+}
 
 static double takes_notes(const void *world, vec3 x, vec3 w) {
     asked *a = *(asked *const *)world;
     a->count++;
-    a->elsewhere += x.x != a->at.x.x || x.y != a->at.x.y || x.z != a->at.x.z;
-    a->not_unit += !(fabs(wide_dot(widen(w), widen(w)) - 1) < 16 * REAL_EPSILON);
-    a->below += !(wide_dot(widen(w), widen(a->at.n)) > -8 * REAL_EPSILON);
+    a->elsewhere += !same_vec3(x, a->at.x);
+    a->turned_round += same_vec3(w, a->at.x);
+    note_direction(a, same_vec3(w, a->at.x) ? x : w);
     return 1;
+}
+
+static void demand_good_directions(const asked *a) {
+    DEMAND(a->not_unit == 0, "all directions are unit vectors",
+           "%d of %d are not, the first w = " VEC, a->not_unit, a->count,
+           ARG(a->first_not_unit));
+    DEMAND(a->below == 0, "all directions lie in the hemisphere of n: w·n > 0",
+           "%d of %d directions lie below, first w = " VEC, a->below, a->count,
+           ARG(a->first_below));
+}
+
+// The midpoint rule, in whatever order, wherever φ begins.
+static void demand_middles(const asked *a) {
+    const char *claim = "θ is the middle of a cell, (i + 0.5) dθ, for i from 0 to 11";
+    const bool corners = a->at_rings == a->count;
+    DEMAND(!corners || a->rings[0] == 0, claim,
+           "θ = 0 was asked: the corner of the cell, not its middle: i dθ");
+    DEMAND(!corners, claim,
+           "θ = dθ, 2dθ … was asked: the far corner of the cell, not its middle: (i + 1) dθ");
+    DEMAND(a->off_middle == 0, claim, "%d of %d are not, the first θ = %.4g = %.3g dθ",
+           a->off_middle, a->count, a->first_off, a->first_off / (PI / 2 / ASKED_THETA));
 }
 
 static void asks_as_promised(void) {
     rng g = check_rng(9);
     asked notes = {.at = some_place(&g)};
     asked *world = &notes;
-    irradiance(takes_notes, &world, notes.at.x, notes.at.n, 12, 17);
-    given(PLACE_TEXT "; n_theta = 12, n_phi = 17", ARG_PLACE(notes.at));
+    given(PLACE_TEXT "; n_theta = %d, n_phi = %d; how often L_i is asked", ARG_PLACE(notes.at),
+          ASKED_THETA, ASKED_PHI);
     suspect_value("12 x 12", 144);
     suspect_value("17 x 17", 289);
-    CHECK_INT(notes.count, 12 * 17);
-    CHECK(notes.elsewhere == 0, "L_i is asked about x");
-    CHECK(notes.not_unit == 0, "L_i is asked about unit directions");
-    CHECK(notes.below == 0, "L_i is asked about the hemisphere of n alone: w·n > 0");
+    irradiance(takes_notes, &world, notes.at.x, notes.at.n, ASKED_THETA, ASKED_PHI);
+    check_int(__FILE__, __LINE__, "L_i, how often", notes.count, ASKED);
+    DEMAND(notes.turned_round == 0, "L_i(world, x, w): first the point, then the direction",
+           "x and w are swapped");
+    DEMAND(notes.elsewhere == 0, "L_i is asked about x", "%d of %d times about another point",
+           notes.elsewhere, notes.count);
+    demand_good_directions(&notes);
+    demand_middles(&notes);
 }
 
 static void any_size(void) {
     rng g = check_rng(10);
     const place at = some_place(&g);
     const sphere S = sphere_beside(at, 0.9, 1.4, 2);
+    given("a sphere of radius 1 beside x; n_theta = 40, n_phi = 60");
     const double E = irradiance(from_sphere, &S, at.x, at.n, 40, 60);
     for (int k = -20; k <= 30; k += 10) {
         const real size = (real)ldexp(1, k);
@@ -349,7 +462,7 @@ static void lambert_value(void) {
         suspect_value("1 / π: it does not depend on rho", 1 / PI);
         suspect_value("rho times π", rho * PI);
         suspect_value("the PI of a whole sphere: rho / 4π", rho / (4 * PI));
-        CHECK_REAL(lambert_brdf(rho), rho / PI, roundings(2, "a quotient and π, in real"));
+        CHECK_REAL(lambert_brdf(rho), rho / PI, roundings(8, "a quotient and π, in real"));
     }
 }
 
@@ -548,11 +661,13 @@ static void disc_rate(void) {
     const disc D = disc_over(at, 1, 0.3, 2, 0.8, 1);
     const double E = parallel_disc((double)D.radius, 1, 0.3);
     for (int n = 8; n <= 32; n *= 2) {
+        given("a disc of radius 0.8 at the height 1; n_r = %d", n);
         const double once = disc_irradiance(D, at.x, at.n, n, 4 * n) - E;
         const double twice = disc_irradiance(D, at.x, at.n, 2 * n, 8 * n) - E;
         given("a disc of radius 0.8 at the height 1; the error with n_r = %d is %.3g", n, once);
-        CHECK_AT_MOST(fabs(twice), fabs(once) / 3.5 + 2e-7,
-                      "twice as many points each way: an error of n^-2 falls to a quarter");
+        DEMAND_AT_MOST("disc_irradiance, twice as many points each way: its error", fabs(twice),
+                       fabs(once) / 3.5 + 2e-7,
+                       "twice as many points each way: an error of n^-2 falls to a quarter");
     }
 }
 
@@ -564,11 +679,11 @@ static void coaxial_discs(void) {
     const disc D = disc_over(at, 1, 0, 0, 1, 1);
     double s[12], weight[12], factor = 0;
     quadrature_rule(GAUSS, 12, s, weight);
+    given("two discs of radius 1 at the distance 1: the mean of disc_irradiance / π over one");
     for (int i = 0; i < 12; i++) { // a uniform share s of the disc's area lies within √s
         const vec3 x = point_from(at, sqrt(s[i]), PI / 2, 0.7);
         factor += weight[i] * disc_irradiance(D, x, at.n, 120, 160) / PI;
     }
-    given("two discs of radius 1 at the distance 1: the mean of disc_irradiance / π over one");
     CHECK_REAL(factor, 0.381966011250,
                relative_to(disc_tolerance(1, 1, 120, 160), "the midpoint rule's own error"));
 }
@@ -612,9 +727,10 @@ static void check_albedo(const char *what, brdf f, const void *paint, vec3 n, ve
     const double cosine = dot(n, w_o);
     given("f = %s; n = " VEC ", w_o = " VEC " at w_o·n = %.6g; n_theta = %d, n_phi = %d", what,
           ARG(n), ARG(w_o), cosine, n_theta, n_phi);
+    if (cosine < 0.9) // straight on it is as if there were none
+        suspect_value("the cosine of w_o, not of w_i",
+                      cosine * with_slip(NO_COSINE, towards_w_o, &as_light, at, 60, 90));
     suspect_slips(towards_w_o, &as_light, at, n_theta, n_phi);
-    suspect_value("the cosine of w_o, not of w_i",
-                  cosine * with_slip(NO_COSINE, towards_w_o, &as_light, at, 60, 90));
     CHECK_REAL(directional_albedo(f, paint, n, w_o, n_theta, n_phi), expected,
                absolute_of(tolerance, "the midpoint rule's own error"));
 }
@@ -622,7 +738,8 @@ static void check_albedo(const char *what, brdf f, const void *paint, vec3 n, ve
 static void albedo_of_lambert(void) {
     rng g = check_rng(20);
     for (int i = 0; i < 8; i++) {
-        const vec3 n = unit_vector(&g), w_o = direction_at(n, between(&g, 0, 1.5), 1);
+        const double tilt = i == 0 ? 1.3 : between(&g, 0, 1.5); // first a tilted one
+        const vec3 n = unit_vector(&g), w_o = direction_at(n, tilt, 1);
         const double rho = between(&g, 0.1, 1), f = rho / PI;
         check_albedo("rho / π", constant, &f, n, w_o, 40, 30, rho, f * smooth_tolerance(40));
     }
@@ -632,7 +749,8 @@ static void albedo_of_cosines(void) {
     rng g = check_rng(21);
     const double c = 0.4;
     for (int i = 0; i < 12; i++) {
-        const vec3 n = unit_vector(&g), w_o = direction_at(n, between(&g, 0, 1.5), 2);
+        const double tilt = i == 0 ? 1.3 : between(&g, 0, 1.5);
+        const vec3 n = unit_vector(&g), w_o = direction_at(n, tilt, 2);
         const double cosine = dot(n, w_o);
         check_albedo("0.4 (w_i·n)(w_o·n)", cosines, &c, n, w_o, 50, 35, c * cosine * 2 * PI / 3,
                      c * smooth_tolerance(50));
@@ -646,43 +764,53 @@ static void albedo_of_phong(void) {
     rng g = check_rng(22);
     for (int i = 0; i < COUNT(powers); i++) {
         const vec3 n = unit_vector(&g), along = direction_at(n, PI / 2 - 1e-5, 3);
-        check_albedo("a modified Phong lobe", phong, &powers[i], n, n, 120, 160, 1, 0.003);
         check_albedo("a modified Phong lobe", phong, &powers[i], n, along, 120, 160, grazing[i],
                      0.003);
+        check_albedo("a modified Phong lobe", phong, &powers[i], n, n, 120, 160, 1, 0.003);
     }
 }
 
 typedef struct {
-    vec3 n, w_o;
-    int count, wrong_o, wrong_n, not_unit, below;
+    asked w_i;
+    vec3 w_o;
+    int swapped, wrong_o, wrong_n;
 } f_asked;
 
 static double f_takes_notes(const void *paint, vec3 n, vec3 w_i, vec3 w_o) {
     f_asked *a = *(f_asked *const *)paint;
-    a->count++;
-    a->wrong_o += w_o.x != a->w_o.x || w_o.y != a->w_o.y || w_o.z != a->w_o.z;
-    a->wrong_n += n.x != a->n.x || n.y != a->n.y || n.z != a->n.z;
-    a->not_unit += !(fabs(wide_dot(widen(w_i), widen(w_i)) - 1) < 16 * REAL_EPSILON);
-    a->below += !(wide_dot(widen(w_i), widen(a->n)) > -8 * REAL_EPSILON);
+    a->w_i.count++;
+    a->wrong_n += !same_vec3(n, a->w_i.at.n);
+    a->wrong_o += !same_vec3(w_o, a->w_o);
+    a->swapped += same_vec3(w_i, a->w_o);
+    note_direction(&a->w_i, w_i);
     return 1 / PI;
 }
 
 static void albedo_asks_as_promised(void) {
     rng g = check_rng(23);
     const vec3 n = unit_vector(&g);
-    f_asked notes = {.n = n, .w_o = direction_at(n, 1, 2)};
+    f_asked notes = {.w_i.at.n = n, .w_o = direction_at(n, 1, 2)};
     f_asked *paint = &notes;
-    directional_albedo(f_takes_notes, &paint, n, notes.w_o, 12, 17);
-    given("n = " VEC ", w_o = " VEC "; n_theta = 12, n_phi = 17", ARG(n), ARG(notes.w_o));
-    CHECK_INT(notes.count, 12 * 17);
-    CHECK(notes.wrong_n == 0, "f is asked with the normal n");
-    CHECK(notes.wrong_o == 0 || notes.wrong_o == notes.count, "f is asked with w_o");
-    CHECK(notes.wrong_o == 0, "w_o is f's last argument: first w_i, then w_o");
-    CHECK(notes.not_unit == 0, "w_i is a unit vector");
-    CHECK(notes.below == 0, "w_i lies in the hemisphere of n");
+    given("n = " VEC ", w_o = " VEC "; n_theta = %d, n_phi = %d; how often f is asked", ARG(n),
+          ARG(notes.w_o), ASKED_THETA, ASKED_PHI);
+    directional_albedo(f_takes_notes, &paint, n, notes.w_o, ASKED_THETA, ASKED_PHI);
+    const int count = notes.w_i.count;
+    check_int(__FILE__, __LINE__, "f, how often", count, ASKED);
+    DEMAND(notes.wrong_n == 0, "f is asked with the normal n", "%d of %d times with another",
+           notes.wrong_n, count);
+    DEMAND(notes.swapped < count, "w_o is f's last argument: first w_i, then w_o",
+           "w_i and w_o are swapped");
+    DEMAND(notes.wrong_o == 0, "f is asked with w_o", "%d of %d times with another",
+           notes.wrong_o, count);
+    demand_good_directions(&notes.w_i);
+    demand_middles(&notes.w_i);
 }
 
 // ---- own_brdf: a judge for any BRDF -------------------------------------------------------
+
+#define WRONG_WAY                                                                        \
+    "is the mirrored direction turned the wrong way? reflect(d, n) wants d towards the " \
+    "surface"
 
 static const double shines[] = {0, 1, 7.5, 40, 200};
 
@@ -700,19 +828,28 @@ static vec3 some_out(vec3 n, vec3 w_i, int i, rng *g) {
     return dot(near, n) > (real)1e-6 ? near : some_above(n, i / 2, g);
 }
 
+// Numbers first: a long line is cut off at its end.
+static void given_pair(double rho, double shine, vec3 n, vec3 w_i, vec3 w_o) {
+#define SHORT "(%.6g, %.6g, %.6g)"
+    given("rho = %.3g, shine = %g; w_i·n = %.3g, w_o·n = %.3g; n = " SHORT ", w_i = " SHORT
+          ", w_o = " SHORT,
+          rho, shine, (double)dot(w_i, n), (double)dot(w_o, n), ARG(n), ARG(w_i), ARG(w_o));
+}
+
 static void own_finite(void) {
     rng g = check_rng(24);
     for (int i = 0; i < 20000; i++) {
         const vec3 n = unit_vector(&g), w_i = some_above(n, i, &g);
         const vec3 w_o = i % 7 ? some_out(n, w_i, i, &g) : w_i;
         const double shine = shines[i % COUNT(shines)], rho = i % 4 ? between(&g, 0, 1) : 1;
-        given("rho = %g, shine = %g, n = " VEC ", w_i = " VEC ", w_o = " VEC
-              "; w_i·n = %.3g, w_o·n = %.3g",
-              rho, shine, ARG(n), ARG(w_i), ARG(w_o), (double)dot(w_i, n), (double)dot(w_o, n));
+        given_pair(rho, shine, n, w_i, w_o);
         const double f = own_brdf(rho, shine, n, w_i, w_o);
-        CHECK(isfinite(f),
-              "a BRDF is finite, here not NaN and not infinite: what divides by 0?");
-        CHECK(f >= 0, "a BRDF is never negative: light cannot be taken off");
+        DEMAND(!isnan(f), "a number",
+               "NaN: a power or root of a negative number, or 0/0? "
+               "If of r·w_o: " WRONG_WAY);
+        DEMAND(!isinf(f), "a BRDF is finite, here", "f is infinite: what divides by 0?");
+        DEMAND(f >= 0, "a BRDF is never negative: light cannot be taken off",
+               "f = %.4g. A cosine below 0 has no lobe; and if it is r·w_o: " WRONG_WAY, f);
     }
 }
 
@@ -722,14 +859,13 @@ static void own_reciprocal(void) {
         const vec3 n = unit_vector(&g), w_i = some_above(n, i, &g);
         const vec3 w_o = some_out(n, w_i, i, &g);
         const double shine = shines[i % COUNT(shines)], ci = dot(w_i, n), co = dot(w_o, n);
-        given("rho = 0.8, shine = %g, n = " VEC ", w_i = " VEC ", w_o = " VEC
-              "; w_i·n = %.6g, w_o·n = %.6g; expected: f with w_i and w_o swapped",
-              shine, ARG(n), ARG(w_i), ARG(w_o), ci, co);
+        given_pair(0.8, shine, n, w_i, w_o);
         suspect_factor("divided by the cosine of w_i, not of both or neither", co / ci);
         suspect_factor("multiplied by the cosine of w_i, or divided by that of w_o, alone",
                        ci / co);
-        CHECK_REAL(own_brdf(0.8, shine, n, w_i, w_o), own_brdf(0.8, shine, n, w_o, w_i),
-                   ((allowance){1e-6, 2e-3, "dot products in float, to the power 200"}));
+        check_real(__FILE__, __LINE__, "own_brdf; expected: the same with w_i and w_o swapped",
+                   own_brdf(0.8, shine, n, w_i, w_o), own_brdf(0.8, shine, n, w_o, w_i),
+                   (allowance){1e-6, 2e-3, "dot products in float, to the power 200"});
     }
 }
 
@@ -746,6 +882,11 @@ static double own_albedo(double rho, double shine, vec3 n, vec3 w_o) {
     return albedo;
 }
 
+static void demand_a_number(double albedo) {
+    DEMAND(!isnan(albedo), "a share of the light",
+           "NaN: a power or root of a negative number, or 0/0?");
+}
+
 static void own_conserves(void) {
     const double cosines_o[] = {1, 0.9, 0.7, 0.5, 0.2, 0.05, 1e-3, 1e-6}, rhos[] = {0, 0.35, 1};
     rng g = check_rng(26);
@@ -754,41 +895,62 @@ static void own_conserves(void) {
         const double cosine = cosines_o[i / 3 / COUNT(shines)];
         const vec3 n = unit_vector(&g);
         const vec3 w_o = direction_at(n, acos(cosine), between(&g, 0, 6));
+        given("rho = %g, shine = %g, light from w_o at w_o·n = %g (%s)", rho, shine, cosine,
+              cosine < 0.1 ? "grazing" : "steep");
         const double albedo = own_albedo(rho, shine, n, w_o);
-        given("rho = %g, shine = %g, light from w_o at w_o·n = %g (%s): the share that comes "
-              "back, by 160 x 240 directions",
-              rho, shine, cosine, cosine < 0.1 ? "grazing" : "steep");
-        CHECK_AT_MOST(albedo, rho * 1.01,
-                      "no more light leaves than rho of what arrives; 1 % is for the sum");
+        demand_a_number(albedo);
+        DEMAND_AT_MOST("own_brdf, the share of the light that comes back, by 160 x 240 "
+                       "directions",
+                       albedo, rho * 1.01,
+                       "no more light leaves than rho of what arrives; 1 % is for the sum");
     }
 }
 
 static void own_reflects(void) {
     rng g = check_rng(27);
+    double before = 0;
     for (int i = 0; i < COUNT(shines); i++) {
         const vec3 n = unit_vector(&g);
         given("rho = 0.8, shine = %g, light straight on", shines[i]);
         const double albedo = own_albedo(0.8, shines[i], n, n);
-        CHECK(albedo >= 0.08,
-              "straight on, at least the share rho / 10 comes back: or nothing is to be seen");
+        demand_a_number(albedo);
+        const char *why = albedo == 0       ? WRONG_WAY
+                          : albedo < before ? "a narrow lobe must be higher: does the factor "
+                                              "grow with shine?"
+                                            : "is the factor before the lobe large enough?";
+        DEMAND(albedo >= 0.08,
+               "at least the share rho / 10 = 0.08 comes back: or nothing is to be seen",
+               "%.3g comes back; %s", albedo, why);
+        before = albedo;
     }
 }
 
 static void own_has_a_lobe(void) {
     rng g = check_rng(28);
     double least = INFINITY, most = 0;
-    bool shine_counts = false;
+    given("rho = 0.8, shine = 40, 2000 pairs of directions");
+    for (int i = 0; i < 2000; i++) {
+        const vec3 n = unit_vector(&g), w_i = some_above(n, 1, &g);
+        const double f = own_brdf(0.8, 40, n, w_i, some_out(n, w_i, i, &g));
+        least = fmin(least, f), most = fmax(most, f);
+    }
+    DEMAND(most > 1.05 * least, "f depends on the directions: it has a lobe, unlike Lambert's",
+           "f lies between %.4g and %.4g", least, most);
+}
+
+static void own_uses_shine(void) {
+    rng g = check_rng(37);
+    double change = 0;
+    given("rho = 0.8, 2000 pairs of directions, each with shine = 1 and shine = 40");
     for (int i = 0; i < 2000; i++) {
         const vec3 n = unit_vector(&g), w_i = some_above(n, 1, &g);
         const vec3 w_o = some_out(n, w_i, i, &g);
-        const double f = own_brdf(0.8, 40, n, w_i, w_o);
-        least = fmin(least, f), most = fmax(most, f);
-        const double dull = own_brdf(0.8, 1, n, w_i, w_o);
-        shine_counts |= fabs(f - dull) > 0.01 * fmax(f, dull);
+        const double dull = own_brdf(0.8, 1, n, w_i, w_o),
+                     sharp = own_brdf(0.8, 40, n, w_i, w_o);
+        change = fmax(change, fabs(sharp - dull) / fmax(fmax(sharp, dull), 1e-30));
     }
-    given("rho = 0.8, shine = 40, 2000 pairs of directions: f from %.3g to %.3g", least, most);
-    CHECK(most > 1.05 * least, "f depends on the directions: it has a lobe, unlike Lambert's");
-    CHECK(shine_counts, "shine = 1 and shine = 40 give different f");
+    DEMAND(change > 0.01, "shine changes the lobe", "f changes by %.2g %% at most",
+           100 * change);
 }
 
 // The same turn for all: by a frame about `to` in place of one about `from`.
@@ -808,12 +970,12 @@ static void own_turned(void) {
         const vec3 w_i = aslant(n, 0, 1.4, &g);
         const vec3 w_o = aslant(n, 0, 1.4, &g);
         const double shine = i % 2 ? 7.5 : 1;
-        given("rho = 0.8, shine = %g, n = " VEC ", w_i = " VEC ", w_o = " VEC
-              "; then all three turned together",
-              shine, ARG(n), ARG(w_i), ARG(w_o));
-        CHECK_REAL(own_brdf(0.8, shine, m, turned(w_i, n, m), turned(w_o, n, m)),
+        given_pair(0.8, shine, n, w_i, w_o);
+        check_real(__FILE__, __LINE__,
+                   "own_brdf with all three turned together; expected: as before",
+                   own_brdf(0.8, shine, m, turned(w_i, n, m), turned(w_o, n, m)),
                    own_brdf(0.8, shine, n, w_i, w_o),
-                   ((allowance){1e-4, 2e-3, "vectors in float, turned and rounded"}));
+                   (allowance){1e-4, 2e-3, "vectors in float, turned and rounded"});
     }
 }
 
@@ -1097,7 +1259,8 @@ int main(void) {
         {"irradiance: spheres anywhere", spheres_anywhere, rim},
         {"irradiance: discs and rectangles", discs_and_rectangles, rim},
         {"irradiance: asks L_i as promised", asks_as_promised,
-         "n_theta times n_phi unit directions about n; x and world are handed on."},
+         "n_theta times n_phi unit directions about n, each in the middle of its cell; x and "
+         "world are handed on."},
         {"irradiance: the error falls as n^-2", promised_rate,
          "Is each direction in the middle of its cell, and does its weight belong to it?"},
         {"irradiance: the same at any size", any_size, "Directions have no size."},
@@ -1119,7 +1282,8 @@ int main(void) {
         {"directional_albedo: a product of cosines", albedo_of_cosines, albedo},
         {"directional_albedo: Phong's lobe, straight on and grazing", albedo_of_phong, albedo},
         {"directional_albedo: asks f as promised", albedo_asks_as_promised,
-         "n_theta times n_phi unit directions w_i about n; paint, n and w_o are handed on."},
+         "n_theta times n_phi unit directions w_i about n, each in the middle of its cell; "
+         "paint, n and w_o are handed on."},
         {"own_brdf: finite and not negative", own_finite, lobe},
         {"own_brdf: reciprocal", own_reciprocal,
          "f(w_i, w_o) = f(w_o, w_i): does a cosine, or a clamp, treat one of them alone?"},
@@ -1129,6 +1293,8 @@ int main(void) {
         {"own_brdf: something comes back", own_reflects,
          "Is the factor before the lobe large enough, and is rho in it?"},
         {"own_brdf: a lobe", own_has_a_lobe, "Anything but Lambert's."},
+        {"own_brdf: shine changes it", own_uses_shine,
+         "Use shine: as the power of a cosine, or the width of the lobe."},
         {"own_brdf: the same when all is turned", own_turned,
          "f may use n, w_i and w_o, and no axis of the world."},
         {"quadrature_rule: polynomials", rule_degrees, given_code},

@@ -110,6 +110,20 @@ static image show_floor(const options *opt) {
     return one_above_other(top, draw_floor(opt, by_light));
 }
 
+// ---- several panels in one picture -----------------------------------------------------
+
+// So many columns that `count` square panels in rows become as large as can be.
+static int best_columns(int count, int width, int height) {
+    int best = 1;
+    double largest = 0;
+    for (int columns = 1; columns <= count; columns++) {
+        const int rows = (count + columns - 1) / columns;
+        const double size = fmin((double)width / columns, (double)height / rows);
+        if (size > largest) largest = size, best = columns;
+    }
+    return best;
+}
+
 // ---- the hemisphere above a point, as a fish-eye sees it -------------------------------
 
 static const vec3 fish_eye = {(real)-0.5, 0, (real)0.6};
@@ -158,11 +172,17 @@ static color fish_pixel(const fish_panel *p, int x, int y, int size) {
 
 static image show_hemisphere(const options *opt) {
     const int count = COUNT(fish_panels);
-    const int size = opt->width / count < opt->height ? opt->width / count : opt->height;
+    const int columns = best_columns(count, opt->width, opt->height);
+    const int rows = (count + columns - 1) / columns;
+    const int wide = opt->width / columns, high = opt->height / rows;
+    const int size = wide < high ? wide : high;
     image img = image_new(opt->width, opt->height);
-    for (int y = 0; y < size; y++)
-        for (int x = 0; x < count * size; x++)
-            *image_at(&img, x, y) = fish_pixel(&fish_panels[x / size], x % size, y, size);
+    for (int y = 0; y < rows * size; y++)
+        for (int x = 0; x < columns * size; x++) {
+            const int k = y / size * columns + x / size;
+            if (k < count)
+                *image_at(&img, x, y) = fish_pixel(&fish_panels[k], x % size, y % size, size);
+        }
     return img;
 }
 
@@ -179,10 +199,20 @@ static const double matte_rho = 0.8;
 static const gloss polishes[] = {{0.8, 4}, {0.8, 20}, {0.8, 80}};
 enum { BALLS = 1 + COUNT(polishes) };
 
+static sphere ball_in_panel(int k, int columns, int rows) {
+    const double x = k % columns - (columns - 1) / 2.0, y = (rows - 1) / 2.0 - k / columns;
+    return (sphere){{(real)(2.2 * x), (real)(2.2 * y), 0}, 1};
+}
+
+typedef struct {
+    int columns, rows;
+} ball_job;
+
 static color look_at_balls(const void *data, ray r, rng *g) {
-    (void)data, (void)g;
+    (void)g;
+    const ball_job *job = data;
     for (int k = 0; k < BALLS; k++) {
-        const sphere S = {{(real)(2.2 * k - 3.3), 0, 0}, 1};
+        const sphere S = ball_in_panel(k, job->columns, job->rows);
         const real t = sphere_hit(S, r, 0, NO_HIT);
         if (t == NO_HIT) continue;
         const hit h = sphere_surface(S, r, t);
@@ -202,8 +232,11 @@ static image show_brdf(const options *opt) {
     camera cam =
         camera_look_at((vec3){0, 0, 10}, (vec3){0, 0, 0}, up, 40, opt->width, opt->height);
     cam.kind = ORTHOGRAPHIC;
-    cam.span = (real)(8.9 * opt->height / opt->width);
-    return render("07-rendering-equation", &cam, look_at_balls, NULL, opt);
+    const int columns = best_columns(BALLS, opt->width, opt->height);
+    const ball_job job = {columns, (BALLS + columns - 1) / columns};
+    const double across = 2.2 * job.columns + 0.1, upright = 2.2 * job.rows + 0.1;
+    cam.span = (real)fmax(upright, across * opt->height / opt->width);
+    return render("07-rendering-equation", &cam, look_at_balls, &job, opt);
 }
 
 // ---- the tables ------------------------------------------------------------------------

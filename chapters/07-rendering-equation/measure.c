@@ -414,8 +414,8 @@ static void measure_cost(void) {
             const double off = ways[k].E(R[i]) / E - 1;
             squares += off * off / CASES;
         }
-        csv_row("E of a square: error and cost", ways[k].name, "calls", CASES, "relative error",
-                sqrt(squares), "ns", ns[k]);
+        csv_row("E of a square: error and cost", ways[k].name, "random squares", CASES,
+                "relative error, root mean square", sqrt(squares), "ns", ns[k]);
     }
 }
 

@@ -108,7 +108,7 @@ double brdf_own(const void *m, vec3 n, vec3 w_i, vec3 w_o);       // a const glo
 // Exercises: exercises/07-rendering-equation/ --------------------------------------------
 
 // Lambert's f_r for the albedo rho: the same in all directions, and reflecting the
-// share rho of what arrives: rho / π.
+// share rho of what arrives.
 double lambert_brdf(double rho);
 
 // E = ∫ L_i (w·n) dw over the hemisphere about the unit normal n, by the midpoint
@@ -131,9 +131,7 @@ double directional_albedo(brdf f, const void *paint, vec3 n, vec3 w_o, int n_the
 // A BRDF of your own, with a lobe: anything but Lambert's that is finite, not negative,
 // reciprocal, and never reflects more than the share rho (0 to 1) of the light from any
 // direction, and at least rho / 10 straight on. shine >= 0: how narrow the lobe is, in
-// a measure of your own. n, w_i, w_o unit, w·n > 0. The solution is the modified Phong lobe,
-// (k + 2)/(2π) rho max(0, r·w_o)^k, r = w_i mirrored, k = shine. Source: Lafortune and
-// Willems 1994.
+// a measure of your own. n, w_i, w_o unit, w·n > 0, all pointing away from the surface.
 double own_brdf(double rho, double shine, vec3 n, vec3 w_i, vec3 w_o);
 
 #endif

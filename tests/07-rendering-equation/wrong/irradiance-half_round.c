@@ -1,5 +1,6 @@
 // Wrong: φ runs only to π.
 // Expect: φ ran only half the way round
+// Expect: φ did not run all the way round: only to π, or n_theta
 #include "chapters/07-rendering-equation/rendering.h"
 
 double irradiance(radiance_field L_i, const void *world, vec3 x, vec3 n, int n_theta,

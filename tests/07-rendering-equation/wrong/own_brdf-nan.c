@@ -1,6 +1,5 @@
 // Wrong: the power of a negative number.
-// Expect: a BRDF is never negative
-// Expect: NaN: 0/0
+// Expect: NaN: a power or root of a negative number
 #include "chapters/07-rendering-equation/rendering.h"
 
 double own_brdf(double rho, double shine, vec3 n, vec3 w_i, vec3 w_o) {

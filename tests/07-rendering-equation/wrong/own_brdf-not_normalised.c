@@ -1,5 +1,5 @@
 // Wrong: the lobe without its factor: sharp lobes reflect next to nothing.
-// Expect: straight on, at least the share rho / 10 comes back
+// Expect: a narrow lobe must be higher: does the factor grow with shine?
 #include "chapters/07-rendering-equation/rendering.h"
 
 double own_brdf(double rho, double shine, vec3 n, vec3 w_i, vec3 w_o) {
