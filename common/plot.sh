@@ -28,7 +28,7 @@ plot_name() {
 
 # One block a curve, as gnuplot wants it: its title in quotes, then "x error".
 # What has no logarithm is put a decade beyond the rest: zero below, infinity
-# above. The first three lines are comments: what to add to the plot's title,
+# above; an error with a sign by its size. The first three lines are comments: what to add to the plot's title,
 # which axes are logarithmic, the range of y. Nothing with fewer than two x.
 curves() {
     awk -F '\t' '
@@ -36,6 +36,7 @@ curves() {
     {
         key = $1 ($2 == "float" ? "" : ", " $2)
         if (!(key in size)) order[++keys] = key
+        if (sub(/^-/, "", $4)) signed = 1
         if (!($3 in is_x)) xs++
         is_x[$3] = 1
         x[key, ++size[key]] = $3
@@ -57,7 +58,7 @@ curves() {
         if (xs < 2 || low == "") exit # a table says it better
         floor_at = decade(low / 10)
         ceiling = decade(high * 100)
-        note = zero ? ", zero drawn at " floor_at : ""
+        note = (signed ? ", without sign" : "") (zero ? ", zero drawn at " floor_at : "")
         print "#" note (infinite ? ", infinite drawn at " ceiling : "")
         print "#" (linear ? "y" : "xy")
         print "#[" floor_at ":" ceiling "]"
