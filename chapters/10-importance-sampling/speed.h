@@ -44,12 +44,13 @@ typedef struct {
 static void note_shadow(notebook *b, step *s) {
     rng g = s->before_aim;
     const aim a = lamps_aim(&b->room.lamps, s->at.start, &g);
-    if (a.body < 0 || !a.on.front || !(a.p > 0) || !isfinite(a.p)) return;
+    if (a.body < 0 || !a.on.front) return;
     const color f = surface_brdf(s->at.m, s->at.n, s->at.o, a.v);
-    s->aimed = f.x > 0 || f.y > 0 || f.z > 0;
-    const vec3 end = offset_origin(a.on.p, a.on.error, a.on.n, a.on.n);
-    s->shadow = (ray){s->at.start, sub(end, s->at.start)};
+    s->aimed = (f.x > 0 || f.y > 0 || f.z > 0) && a.p > 0 && isfinite(a.p);
     const lamp *l = &b->room.lamps.lamps[b->room.lamps.of_body[a.body]];
+    const vec3 end =
+        l->hides_itself ? offset_origin(a.on.p, a.on.error, a.on.n, a.on.n) : a.on.p;
+    s->shadow = (ray){s->at.start, sub(end, s->at.start)};
     s->except = l->hides_itself ? -1 : a.body;
 }
 
@@ -108,7 +109,9 @@ static void do_all(void *data) {
     keep(sum);
 }
 
-static void do_nearest(void *data) {
+#define FLAT __attribute__((flatten)) // compiled into one function, as in light_trace
+
+FLAT static void do_nearest(void *data) {
     const notebook *b = data;
     double sum = 0;
     int body = 0;
@@ -117,7 +120,7 @@ static void do_nearest(void *data) {
     keep(sum + body);
 }
 
-static void do_shadows(void *data) {
+FLAT static void do_shadows(void *data) {
     const notebook *b = data;
     int sum = 0;
     for (int i = 0; i < b->stops; i++)
@@ -127,7 +130,7 @@ static void do_shadows(void *data) {
     keep(sum);
 }
 
-static void do_sampling(void *data) {
+FLAT static void do_sampling(void *data) {
     const notebook *b = data;
     double sum = 0;
     for (int i = 0; i < b->stops; i++) {
