@@ -18,6 +18,7 @@
 #: For those who work on the course:
 #: make test-solutions-04   one chapter's tests on its solutions
 #: make seeds-09    one chapter's tests on its solutions with N=100 different seeds
+#: make soak        N=1e8 rays through the pictures of chapters 09 to 11: are all samples light?
 #: make check       tests, stubs, wrong answers, texts, pictures, staircase, format
 #: make texts       renew the measured tables and the pictures in the texts
 #: make format      lay out all C code
@@ -229,6 +230,10 @@ build/errors/%.$(REAL).csv: $B/measure/%
 	@mkdir -p $(@D)
 	@ERRORS_ONLY=1 $< > $@.new 2> $@.log || { cat $@.log; exit 1; }
 	@mv $@.new $@
+
+.PHONY: soak
+soak: $(patsubst %,$B/%,$(filter 09-% 1%,$(CHAPTERS)))
+	@sh tests/tools/soak.sh $(or $N,1e8) $^
 
 texts: error-tables $(CHAPTERS:%=$B/%) $B/same_picture
 	@sh tests/tools/texts.sh renew $(CHAPTERS)
