@@ -6,13 +6,11 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #include "chapters/02-camera/lamp.h"
 #include "common/exact3.h"
 #include "common/wide3.h"
+#include "tests/check-threads.h"
 #include "tests/check.h"
 
 #define U (REAL_EPSILON / 2)                           // one rounding, relative
@@ -656,19 +654,6 @@ static color noise(const void *scene, ray r, rng *g) {
     const real a = rng_real(g);
     const real b = rng_real(g);
     return (color){a, b, fabs(r.d.x)};
-}
-
-static void threads(int n) {
-#ifdef _OPENMP
-    omp_set_num_threads(n);
-#else
-    (void)n;
-#endif
-}
-
-static bool same_pixels(image a, image b) {
-    const size_t size = (size_t)a.width * (size_t)a.height * sizeof *a.pixels;
-    return a.width == b.width && a.height == b.height && memcmp(a.pixels, b.pixels, size) == 0;
 }
 
 static void render_threads(void) {

@@ -3,30 +3,8 @@
 #include "chapters/06-bounce/bounce.h"
 #include "common/exact3.h"
 #include "common/wide3.h"
+#include "tests/check-directions.h"
 #include "tests/check.h"
-
-static const double false_alarm = 1e-6; // of a chi² test of a right answer
-
-static vec3 generic_unit(rng *g) {
-    vec3 v;
-    do v = in_cube(g);
-    while (dot(v, v) < (real)0.01);
-    return normalize(v);
-}
-
-// Unit, perpendicular to the unit vector n.
-static vec3 perpendicular(vec3 n) {
-    const vec3 other = fabs(n.x) < (real)0.6 ? (vec3){1, 0, 0} : (vec3){0, 1, 0};
-    return normalize(cross(n, other));
-}
-
-static real between(rng *g, real low, real high) {
-    return low + (high - low) * rng_real(g);
-}
-
-static double wide_length(vec3 v) {
-    return sqrt(wide_dot(widen(v), widen(v)));
-}
 
 // A unit direction, half of the time anywhere, else grazing: cosines from 1e-6.
 static vec3 some_direction(vec3 n, rng *g) {
@@ -279,12 +257,6 @@ static void matte_opposite(void) {
     CHECK(all.below == 0, "every bounce leaves the surface: result·n >= 0");
 }
 
-// The last ones defeat a basis that divides by 1 + n.z.
-static vec3 test_normal(int i, rng *g) {
-    const vec3 special[] = {{0, 0, 1}, {0, 0, -1}, {(real)1e-4, (real)2e-4, -1}};
-    return i < COUNT(special) ? normalize(special[i]) : generic_unit(g);
-}
-
 static void matte_mean(void) {
     rng g = rng_seed(6, 10);
     for (int i = 0; i < 6; i++) {
@@ -302,45 +274,25 @@ static void matte_mean(void) {
     }
 }
 
-// chi² of `count` unit vectors over cells of equal probability: `height` in
-// [0, 1) is uniform for right ones, and so is the angle about n.
-enum { BANDS = 8, SECTORS = 12, CELLS = BANDS * SECTORS };
-
-static double chi2_of(const long *cells, long count) {
-    double chi2 = 0;
-    const double expected = (double)count / CELLS;
-    for (int i = 0; i < CELLS; i++)
-        chi2 += (cells[i] - expected) * (cells[i] - expected) / expected;
-    return chi2;
-}
-
-static int cell_of(vec3 v, vec3 n, vec3 across, double height) {
-    const double x = wide_dot(widen(v), widen(across));
-    const double y = wide_dot(wide_cross(widen(n), widen(across)), widen(v));
-    const double turn = atan2(y, x) / (2 * PI) + 0.5;
-    const int band = (int)fmin(BANDS - 1, fmax(0, BANDS * height));
-    return band * SECTORS + (int)fmin(SECTORS - 1, SECTORS * turn);
-}
-
 static void matte_cells(void) {
     rng g = rng_seed(6, 11);
     const long count = 200000;
     for (int i = 0; i < 5; i++) {
-        const vec3 n = test_normal(i, &g), across = perpendicular(n);
-        long cells[CELLS] = {0}, below = 0;
+        const vec3 n = test_normal(i, &g);
+        tally cells = {{0}, 0};
+        long below = 0;
         for (long k = 0; k < count; k++) {
             const vec3 v = matte_bounce(n, &g);
-            const double cosine = wide_dot(widen(v), widen(n));
-            below += cosine < -4 * (double)REAL_EPSILON;
-            cells[cell_of(v, n, across, cosine * cosine)]++;
+            const double c = cosine(v, n);
+            below += c < BELOW_BY_ROUNDING;
+            tally_add(&cells, c * c, turn(v, n));
         }
         given("n = " VEC ": 200,000 bounces", ARG(n));
         CHECK_AT_MOST(below, 0, "none points into the surface (within a few roundings)");
         given("n = " VEC ": 200,000 bounces counted in 8 x 12 cells of cos²θ and of the angle "
               "about n, all equally likely for cos θ / π",
               ARG(n));
-        CHECK_AT_MOST(chi2_of(cells, count), chi2_limit(CELLS - 1, false_alarm),
-                      "chi² that a right answer exceeds once in a million");
+        CHECK_UNIFORM(&cells);
     }
 }
 
@@ -800,15 +752,15 @@ static void offset_rounded_away(void) {
 static void unit_vectors(void) {
     rng g = rng_seed(6, 24);
     const long count = 200000;
-    long cells[CELLS] = {0};
+    const vec3 up = {0, 0, 1};
+    tally cells = {{0}, 0};
     for (long k = 0; k < count; k++) {
         const vec3 v = unit_vector(&g);
         CHECK_REAL(wide_length(v), 1, roundings(6, "a unit vector"));
-        cells[cell_of(v, (vec3){0, 0, 1}, (vec3){1, 0, 0}, (v.z + 1) / 2)]++;
+        tally_add(&cells, ((double)v.z + 1) / 2, turn(v, up));
     }
     given("200,000 unit vectors in 8 x 12 cells of equal area");
-    CHECK_AT_MOST(chi2_of(cells, count), chi2_limit(CELLS - 1, false_alarm),
-                  "chi² that a right answer exceeds once in a million");
+    CHECK_UNIFORM(&cells);
 }
 
 static void slide_slips(void) {

@@ -2,6 +2,7 @@
 // hemisphere and over a light; and a judge for any BRDF.
 #include "chapters/07-rendering-equation/rendering.h"
 #include "common/measure.h"
+#include "tests/check-generic.h"
 #include "tests/check.h"
 
 #include <stdarg.h>
@@ -25,10 +26,6 @@ static const char *in_words(const char *format, ...) {
 // CHECK_AT_MOST of something that has a name.
 #define DEMAND_AT_MOST(what, got, bound, why) \
     check_at_most(__FILE__, __LINE__, what, got, bound, why)
-
-static double between(rng *g, double low, double high) {
-    return low + (high - low) * rng_double(g);
-}
 
 // A point and a unit normal, along no axis.
 typedef struct {

@@ -3,39 +3,15 @@
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <string.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #include "chapters/09-path-tracer/box.h"
 #include "common/exact3.h"
 #include "common/wide3.h"
+#include "tests/check-directions.h"
+#include "tests/check-threads.h"
 #include "tests/check.h"
 
-static const double false_alarm = 1e-6; // of a chi² test of a right answer
-
 #define GREY(a) ((color){(real)(a), (real)(a), (real)(a)})
-
-static vec3 generic_unit(rng *g) {
-    vec3 v;
-    do v = in_cube(g);
-    while (dot(v, v) < (real)0.01);
-    return normalize(v);
-}
-
-// Unit, perpendicular to the unit vector n.
-static vec3 perpendicular(vec3 n) {
-    const vec3 other = fabs(n.x) < (real)0.6 ? (vec3){1, 0, 0} : (vec3){0, 1, 0};
-    return normalize(cross(n, other));
-}
-
-static real between(rng *g, real low, real high) {
-    return low + (high - low) * rng_real(g);
-}
-
-static double wide_length(vec3 v) {
-    return sqrt(wide_dot(widen(v), widen(v)));
-}
 
 // For what is itself a statistic: `got` is within `slack` of the guess.
 static void suspect_about(const char *what, double got, double guess, double slack) {
@@ -48,12 +24,6 @@ static color white_sky(vec3 d) {
 }
 
 // ---- hemisphere_direction ----------------------------------------------------------
-
-// The last ones defeat a basis that divides by 1 + n.z.
-static vec3 test_normal(int i, rng *g) {
-    const vec3 special[] = {{0, 0, 1}, {0, 0, -1}, {(real)1e-4, (real)2e-4, -1}};
-    return i < COUNT(special) ? normalize(special[i]) : generic_unit(g);
-}
 
 static void direction_differs(void) {
     rng g = check_rng(1);
@@ -122,41 +92,20 @@ static void direction_mean(void) {
     }
 }
 
-// chi² over cells of equal probability: the height above the surface is uniform in
-// [0, 1), and so is the angle about n.
-enum { BANDS = 8, SECTORS = 12, CELLS = BANDS * SECTORS };
-
-static double chi2_of(const long *cells, long count) {
-    double chi2 = 0;
-    const double expected = (double)count / CELLS;
-    for (int i = 0; i < CELLS; i++)
-        chi2 += (cells[i] - expected) * (cells[i] - expected) / expected;
-    return chi2;
-}
-
-static int cell_of(vec3 v, vec3 n, vec3 across) {
-    const double height = wide_dot(widen(v), widen(n));
-    const double x = wide_dot(widen(v), widen(across));
-    const double y = wide_dot(wide_cross(widen(n), widen(across)), widen(v));
-    const double turn = atan2(y, x) / (2 * PI) + 0.5;
-    const int band = (int)fmin(BANDS - 1, fmax(0, BANDS * height));
-    return band * SECTORS + (int)fmin(SECTORS - 1, SECTORS * turn);
-}
-
 static void direction_cells(void) {
     rng g = check_rng(4);
     const long count = 200000;
     for (int i = 0; i < 6; i++) {
-        const vec3 n = test_normal(i, &g), across = perpendicular(n);
-        long cells[CELLS] = {0};
+        const vec3 n = test_normal(i, &g);
+        tally cells = {{0}, 0};
         given("n = " VEC ": 200,000 directions counted in 8 x 12 cells of the height above the "
               "surface and of the angle about n, all equally likely for 1/(2π)",
               ARG(n));
-        for (long k = 0; k < count; k++)
-            cells[cell_of(hemisphere_direction(n, &g), n, across)]++;
-        const double chi2 = chi2_of(cells, count);
-        CHECK_AT_MOST(chi2, chi2_limit(CELLS - 1, false_alarm),
-                      "chi² that a right answer exceeds once in a million");
+        for (long k = 0; k < count; k++) {
+            const vec3 v = hemisphere_direction(n, &g);
+            tally_add(&cells, cosine(v, n), turn(v, n));
+        }
+        CHECK_UNIFORM(&cells);
     }
 }
 
@@ -870,19 +819,6 @@ static void path_box(void) {
 
 static color box_light(const void *data, ray r, rng *g) {
     return path_trace(data, r, 20, g);
-}
-
-static void threads(int n) {
-#ifdef _OPENMP
-    omp_set_num_threads(n);
-#else
-    (void)n;
-#endif
-}
-
-static bool same_pixels(image a, image b) {
-    const size_t size = (size_t)a.width * (size_t)a.height * sizeof *a.pixels;
-    return a.width == b.width && a.height == b.height && memcmp(a.pixels, b.pixels, size) == 0;
 }
 
 static void path_threads(void) {

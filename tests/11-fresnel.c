@@ -4,13 +4,10 @@
 #include "chapters/11-fresnel/proofs.h"
 #include "common/exact3.h"
 #include "common/wide3.h"
+#include "tests/check-generic.h"
 #include "tests/check.h"
 
 #include <stdio.h>
-
-static double between(rng *g, double low, double high) {
-    return low + (high - low) * rng_double(g);
-}
 
 static double decades(rng *g, double low, double high) { // 10^low to 10^high
     return pow(10, between(g, low, high));
@@ -31,10 +28,6 @@ static vec3 across(vec3 n, rng *g) {
 // direction in the surface.
 static vec3 arriving(vec3 n, vec3 along, double cosine) {
     return combine(sqrt((1 - cosine) * (1 + cosine)), along, -cosine, n);
-}
-
-static double wide_length(vec3 v) {
-    return sqrt(wide_dot(widen(v), widen(v)));
 }
 
 static double cosine_of(vec3 d, vec3 n) {

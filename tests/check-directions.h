@@ -3,9 +3,8 @@
 #ifndef TESTS_CHECK_DIRECTIONS_H
 #define TESTS_CHECK_DIRECTIONS_H
 
-#include "common/exact3.h"
 #include "common/measure.h"
-#include "common/wide3.h"
+#include "tests/check-generic.h"
 #include "tests/check.h"
 
 #define FALSE_ALARM 1e-6 // of a chi² test of a right answer
@@ -13,28 +12,7 @@
 // A cosine that is 0 but for the rounding of the two directions.
 #define BELOW_BY_ROUNDING (-4 * (double)REAL_EPSILON)
 
-// ---- generic data ------------------------------------------------------------------
-
-static inline vec3 generic_unit(rng *g) {
-    vec3 v;
-    do v = in_cube(g);
-    while (dot(v, v) < (real)0.01);
-    return normalize(v);
-}
-
-static inline double between(rng *g, double low, double high) {
-    return low + (high - low) * rng_double(g);
-}
-
-// Unit, perpendicular to the unit vector n.
-static inline vec3 perpendicular(vec3 n) {
-    const vec3 other = fabs(n.x) < (real)0.6 ? (vec3){1, 0, 0} : (vec3){0, 1, 0};
-    return normalize(cross(n, other));
-}
-
-static inline double wide_length(vec3 v) {
-    return sqrt(wide_dot(widen(v), widen(v)));
-}
+// ---- generic data, beside that of check-generic.h ------------------------------------
 
 // The rounding of the result, and what double loses before that: little, times `condition`.
 static inline allowance double_inside(double condition) {
