@@ -56,6 +56,11 @@ int srgb_byte(real linear) {
     return (int)(255 * encoded + 0.5);
 }
 
+real srgb_light(real encoded) {
+    const double v = (double)encoded;
+    return (real)(v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4));
+}
+
 // Where the bytes go, and errno of the first failure.
 typedef struct {
     FILE *file;

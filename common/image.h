@@ -26,6 +26,9 @@ int image_part_width(int width, int i, int count);
 // [0, 1] linear to [0, 255] sRGB (IEC 61966-2-1), clamped, rounded to nearest.
 int srgb_byte(real linear);
 
+// The other way: an sRGB value in [0, 1] to linear light.
+real srgb_light(real encoded);
+
 // Writes `path`: .png (clamped, sRGB) or .pfm (linear 32-bit float, rows from
 // the bottom up). Written to a temporary file beside it and renamed, so a
 // failure leaves an older picture whole. Dies with the reason when it cannot

@@ -497,6 +497,27 @@ static void look_at_sizes(void) {
     }
 }
 
+// A point beside the target, half_width away, lies on the picture's border.
+static void across_fits(void) {
+    const int sizes[][2] = {{640, 480}, {300, 700}, {1, 1}};
+    rng g = check_rng(40);
+    for (int i = 0; i < 60; i++) {
+        const int *size = sizes[i % 3];
+        const vec3 eye = scale(9, in_cube(&g)), target = in_cube(&g);
+        const real half = (real)0.1 + 3 * rng_real(&g);
+        const camera cam = camera_across(eye, target, half, size[0], size[1]);
+        const vec3 side = add(sub(target, eye), scale(half, cam.right));
+        given("eye " VEC ", target " VEC ", half_width %g, %d x %d", ARG(eye), ARG(target),
+              (double)half, size[0], size[1]);
+        const real x_of_side = dot(side, cam.right) / dot(side, cam.forward) * cam.focal;
+        const double magnified = 1 + (double)(length(sub(target, eye)) / half);
+        CHECK_REAL(x_of_side, size[0] / 2.0,
+                   roundings(16 * magnified,
+                             "forward and right are rounded; the way to the "
+                             "target makes as much more of it as it is longer"));
+    }
+}
+
 static void look_at_focal(void) {
     const struct {
         double fov, focal;
@@ -931,6 +952,7 @@ int main(void) {
         {"camera_look_at: an orthonormal, right-handed basis", look_at_basis, noise_left},
         {"camera_look_at: near and far targets", look_at_sizes, look},
         {"camera_look_at: focal from the field of view", look_at_focal, look},
+        {"camera_look_at: camera_across shows as much as it says", across_fits, look},
         {"camera_look_at: shifted and turned", look_at_moves, look},
         {"camera_look_at: what it refuses", look_at_refuses, look},
         {"camera_sample: by the camera's kind", sample_kinds, look},

@@ -145,6 +145,12 @@ static void srgb(void) {
     CHECK_INT(srgb_byte(2), 255);
     CHECK_INT(srgb_byte(-1), 0);
     CHECK_INT(srgb_byte((real)NAN), 0);
+    CHECK_REAL(srgb_light((real)0.5), 0.21404114048223255,
+               roundings(4, "two roundings, magnified"));
+    for (int byte = 0; byte <= 255; byte++) {
+        given("the byte %d, to light and back", byte);
+        CHECK_INT(srgb_byte(srgb_light((real)(byte / 255.0))), byte);
+    }
 }
 
 static void pfm(void) {

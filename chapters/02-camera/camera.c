@@ -41,6 +41,12 @@ camera camera_look_at(vec3 eye, vec3 target, vec3 up, real fov_degrees, int widt
                     .focal = focal_in_pixels(fov_degrees, height)};
 }
 
+camera camera_across(vec3 eye, vec3 target, real half_width, int width, int height) {
+    const real slope = half_width / length(sub(target, eye)) * (real)height / (real)width;
+    const real fov = (real)(atan(slope) * 360 / PI);
+    return camera_look_at(eye, target, (vec3){0, 1, 0}, fov, width, height);
+}
+
 // By rejection: a point of the square around the disc, until one lies in it.
 void lens_point(rng *g, real *u, real *v) {
     real a, b;

@@ -34,6 +34,10 @@ typedef struct {
 // (vertical) and focal = (height / 2) / tan(fov / 2) is a finite number.
 camera camera_look_at(vec3 eye, vec3 target, vec3 up, real fov_degrees, int width, int height);
 
+// The same, upright (up = (0, 1, 0)), by what is to be seen: `half_width` > 0 to both sides of
+// the target, whatever the picture's shape.
+camera camera_across(vec3 eye, vec3 target, real half_width, int width, int height);
+
 // A uniform point (u, v) of the unit disc.
 void lens_point(rng *g, real *u, real *v);
 

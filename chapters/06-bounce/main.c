@@ -104,13 +104,6 @@ static image show_slide(const options *opt) {
     return image_side_by_side(halves, COUNT(halves));
 }
 
-// Wide enough for `half_width` to both sides of the target, whatever the picture's shape.
-static camera camera_across(vec3 eye, vec3 target, real half_width, int width, int height) {
-    const real slope = half_width / length(sub(target, eye)) * (real)height / (real)width;
-    return camera_look_at(eye, target, (vec3){0, 1, 0}, (real)(atan(slope) * 360 / PI), width,
-                          height);
-}
-
 static image show_fuzzy(const options *opt) {
     const vec3 eye = {0, 3, 16}, target = {0, (real)0.8, 0};
     const camera cam = camera_across(eye, target, 7, opt->width, opt->height);

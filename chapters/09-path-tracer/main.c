@@ -73,16 +73,11 @@ static color encoded(color L) {
     return scale((real)1 / 255, (color){srgb_byte(L.x), srgb_byte(L.y), srgb_byte(L.z)});
 }
 
-// sRGB back to light: the file's writer encodes again (IEC 61966-2-1).
-static real decoded(real v) {
-    return v <= (real)0.04045 ? v / (real)12.92
-                              : pow((v + (real)0.055) / (real)1.055, (real)2.4);
-}
-
+// Back to light: the file's writer encodes again.
 static void decode(image *img) {
     color *p = img->pixels;
     for (long i = 0; i < (long)img->width * img->height; i++)
-        p[i] = (color){decoded(p[i].x), decoded(p[i].y), decoded(p[i].z)};
+        p[i] = (color){srgb_light(p[i].x), srgb_light(p[i].y), srgb_light(p[i].z)};
 }
 
 // The means of the light, of the clamped light and of the encoded numbers.

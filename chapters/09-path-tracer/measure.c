@@ -224,10 +224,6 @@ static void measure_white(void) {
 
 // ---- what is averaged ------------------------------------------------------------------------
 
-static double decoded(double v) {
-    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
-}
-
 // The light of one view as three programs average it.
 static void measure_averages(void) {
     view views[3];
@@ -242,7 +238,8 @@ static void measure_averages(void) {
             clamped += fmin((double)L, 1);
             encoded += srgb_byte(L) / 255.0;
         }
-        const double means[] = {light / PATHS, clamped / PATHS, decoded(encoded / PATHS)};
+        const double means[] = {light / PATHS, clamped / PATHS,
+                                (double)srgb_light((real)(encoded / PATHS))};
         for (int k = 0; k < COUNT(means); k++)
             csv_row("what is averaged", views[i].name, "1 light, 2 clamped, 3 sRGB", k + 1,
                     "mean / truth - 1", means[k] / views[i].truth - 1, "ns", NAN);

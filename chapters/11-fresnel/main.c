@@ -30,13 +30,6 @@ static image draw_under_sky(const options *opt, const camera *cam, scene bodies,
     return img;
 }
 
-// Wide enough for `half_width` to both sides of the target, whatever the picture's shape.
-static camera camera_across(vec3 eye, vec3 target, real half_width, int width, int height) {
-    const real slope = half_width / length(sub(target, eye)) * (real)height / (real)width;
-    return camera_look_at(eye, target, (vec3){0, 1, 0}, (real)(atan(slope) * 360 / PI), width,
-                          height);
-}
-
 // A checkered floor infinitely far below, under a clear sky.
 static color board_sky(vec3 d) {
     if (d.y >= 0) return clear_sky(d);
