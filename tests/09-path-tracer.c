@@ -906,7 +906,7 @@ static void roulette_length(void) {
     }
 }
 
-// A generator whose next numbers are all 0, the smallest that rng_real gives.
+// A generator whose next number is 0, the smallest that rng_real gives.
 static void roulette_certain(void) {
     rng g = check_rng(43), zero = {0, 1};
     given("q = 0, and rng_real gives exactly 0, as it may: once in 16 million");

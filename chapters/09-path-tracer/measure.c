@@ -277,7 +277,8 @@ static void run_tracer(path_tracer f, int s) {
     keep((double)sum);
 }
 
-// As many rays for both: roulette ends no path before the fourth bounce.
+// Roulette ends no path before the fourth bounce, but for those on the black front wall:
+// 3.86 rays a path for the loop, 4 for the recursion.
 static void run_recursion(void *data) {
     (void)data;
     run_tracer(trace_ray, 3);
