@@ -130,6 +130,11 @@ static void aims_belong(void) {
                                 triangle_solid_angle(mesh_triangle(&m, 0), x) +
                                 triangle_solid_angle(mesh_triangle(&m, 1), x);
         CHECK_MEAN("the mean of 1/p", &omega, expected, 1e-5);
+        const vec3 inside = add(balls[0].c, scale((real)0.25, in_cube(&g)));
+        for (int k = 0; k < 20; k++) {
+            given("x = " VEC ", in the lamp that is body 0", ARG(inside));
+            CHECK(lamps_aim(&all, inside, &g).body != 0, "a lamp that x is in is not aimed at");
+        }
         lamps_free(&all);
     }
 }

@@ -66,7 +66,8 @@ typedef struct {
     const int *of_body; // which lamp a body is; -1: none
 } lamps;
 
-// Finds what shines. Free it with lamps_free.
+// Finds the spheres and meshes that shine; a plane cannot be aimed at. It points into `bodies`.
+// Free it with lamps_free.
 lamps lamps_find(const scene *bodies, const surface *surfaces);
 void lamps_free(lamps *all);
 
@@ -83,7 +84,8 @@ aim lamps_aim(const lamps *all, vec3 x, rng *g);
 // 0 for what is no lamp.
 real lamps_probability(const lamps *all, int body, vec3 x, vec3 v, hit h);
 
-// Is anything but the body `except` (-1: but nothing) at a point of the ray with 0 < t < t_max?
+// Is anything but the sphere or mesh `except` (-1: but nothing) at a point of the ray with
+// 0 < t < t_max?
 bool scene_blocked(const scene *sc, ray r, real t_max, int except);
 
 // ---- the path tracer ---------------------------------------------------------------

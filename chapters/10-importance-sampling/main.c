@@ -41,8 +41,8 @@ static const struct {
     strategy how;
     int percent;
 } contest[] = {
-    {"uniform", BY_UNIFORM, 60},
-    {"BRDF", BY_BRDF, 60},
+    {"uniform", BY_UNIFORM, 67},
+    {"BRDF", BY_BRDF, 67},
     {"lamps", BY_LAMPS, 100},
     {"both", BY_POWER, 100},
 };
@@ -125,7 +125,7 @@ int main(int argc, char **argv) {
         .uses = USES_SIZE | USES_SAMPLES | USES_DEPTH | USES_SEED | USES_THREADS | USES_PREVIEW,
         .defaults = {.width = 400,
                      .height = 400,
-                     .samples = 32,
+                     .samples = 64,
                      .depth = 16,
                      .seed = 1,
                      .out = "10-importance-sampling.png"},

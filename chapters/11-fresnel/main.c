@@ -250,7 +250,7 @@ int main(int argc, char **argv) {
         .uses = USES_SIZE | USES_SAMPLES | USES_DEPTH | USES_SEED | USES_THREADS | USES_PREVIEW,
         .defaults = {.width = 320,
                      .height = 320,
-                     .samples = 64,
+                     .samples = 128,
                      .depth = 32,
                      .seed = 1,
                      .out = "11-fresnel.png"},
