@@ -1,5 +1,5 @@
 // Wrong: the cosine by way of the angle in real arithmetic: acos loses half the digits near 1.
-// Expect: too few digits
+// Expect: Which number is subtracted from a nearly equal one?
 #include "chapters/11-fresnel/fresnel.h"
 
 bool refract(vec3 d, vec3 n, real eta, vec3 *t) {
