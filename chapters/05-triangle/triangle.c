@@ -66,6 +66,7 @@ static bool may_meet(sphere S, ray r) {
 
 triangle_point mesh_hit(const mesh *m, ray r, real t_min, real t_max, int *index) {
     triangle_point nearest = {NO_HIT, 0, 0};
+    if (m->finder) return m->finder->nearest(m->finder->tree, r, t_min, t_max, index);
     if (m->around.r > 0 && !may_meet(m->around, r)) return nearest;
     for (int i = 0; i < m->count; i++) {
         const triangle_point q = triangle_hit(mesh_triangle(m, i), r, t_min, t_max);
@@ -75,6 +76,14 @@ triangle_point mesh_hit(const mesh *m, ray r, real t_min, real t_max, int *index
         *index = i;
     }
     return nearest;
+}
+
+bool mesh_any(const mesh *m, ray r, real t_min, real t_max) {
+    if (m->finder) return m->finder->any(m->finder->tree, r, t_min, t_max);
+    if (m->around.r > 0 && !may_meet(m->around, r)) return false;
+    for (int i = 0; i < m->count; i++)
+        if (triangle_hit(mesh_triangle(m, i), r, t_min, t_max).t != NO_HIT) return true;
+    return false;
 }
 
 hit mesh_surface(const mesh *m, int index, ray r, triangle_point q) {
@@ -132,7 +141,11 @@ mesh mesh_torus(vec3 centre, vec3 axis, real ring, real tube, int around, int ac
     // Points are rounded at the size of their coordinates.
     const vec3 size = add(absolute(centre), (vec3){ring + tube, ring + tube, ring + tube});
     const real r = ring + tube + 8 * REAL_EPSILON * (size.x + size.y + size.z);
-    return (mesh){points, normals, (const int(*)[3])corners, 2 * count, {centre, r}};
+    return (mesh){.points = points,
+                  .normals = normals,
+                  .corners = (const int(*)[3])corners,
+                  .count = 2 * count,
+                  .around = {centre, r}};
 }
 
 void mesh_free(mesh *m) {

@@ -31,6 +31,14 @@ triangle_point triangle_hit(triangle T, ray r, real t_min, real t_max);
 
 hit triangle_surface(triangle T, ray r, triangle_point q);
 
+// Another way to search a mesh than one triangle after the other (chapters 12 to 14). Its
+// functions keep the contracts of mesh_hit and mesh_any.
+typedef struct {
+    const void *tree; // what is passed to them
+    triangle_point (*nearest)(const void *tree, ray r, real t_min, real t_max, int *index);
+    bool (*any)(const void *tree, ray r, real t_min, real t_max);
+} finder;
+
 // Triangles that share their corners.
 typedef struct {
     const vec3 *points;
@@ -38,6 +46,7 @@ typedef struct {
     const int (*corners)[3]; // indices of points
     int count;               // of triangles
     sphere around;           // holds all points: what misses it misses all; r = 0: unknown
+    const finder *finder;    // NULL: one triangle after the other
 } mesh;
 
 static inline triangle mesh_triangle(const mesh *m, int i) {
@@ -45,9 +54,12 @@ static inline triangle mesh_triangle(const mesh *m, int i) {
     return (triangle){m->points[k[0]], m->points[k[1]], m->points[k[2]]};
 }
 
-// The nearest hit of all triangles, one after the other; *index is the
-// triangle's, untouched on a miss. Of two equally near the first stays.
+// The nearest hit of all triangles; *index is the triangle's, untouched on a miss. Of two
+// equally near the one with the smaller index.
 triangle_point mesh_hit(const mesh *m, ray r, real t_min, real t_max, int *index);
+
+// Is there any hit with t_min < t < t_max?
+bool mesh_any(const mesh *m, ray r, real t_min, real t_max);
 
 // The hit of triangle `index`, its normal smooth where the mesh has normals.
 hit mesh_surface(const mesh *m, int index, ray r, triangle_point q);

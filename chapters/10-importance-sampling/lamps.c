@@ -133,9 +133,7 @@ bool scene_blocked(const scene *sc, ray r, real t_max, int except) {
     for (int i = 0; i < sc->plane_count; i++)
         if (plane_hit(sc->planes[i], r, 0, t_max) < t_max) return true;
     const int meshes = sc->sphere_count + sc->plane_count;
-    int which;
     for (int i = 0; i < sc->mesh_count; i++)
-        if (meshes + i != except && mesh_hit(&sc->meshes[i], r, 0, t_max, &which).t < t_max)
-            return true;
+        if (meshes + i != except && mesh_any(&sc->meshes[i], r, 0, t_max)) return true;
     return false;
 }
