@@ -31,6 +31,12 @@ static inline wide3 wide_cross(wide3 a, wide3 b) {
     return (wide3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+// a / |a|
+static inline wide3 wide_unit(wide3 a) {
+    const double size = sqrt(wide_dot(a, a));
+    return (wide3){a.x / size, a.y / size, a.z / size};
+}
+
 static inline vec3 narrow(wide3 a) {
     return (vec3){(real)a.x, (real)a.y, (real)a.z};
 }

@@ -19,11 +19,6 @@ static const char *const as_unit = "unit and perpendicular within rounding";
 
 // ---- generic data ------------------------------------------------------------------
 
-static wide3 wide_unit(wide3 a) {
-    const double size = sqrt(wide_dot(a, a));
-    return (wide3){a.x / size, a.y / size, a.z / size};
-}
-
 static vec3 unit(vec3 a) {
     return narrow(wide_unit(widen(a)));
 }

@@ -66,11 +66,6 @@ typedef struct {
     wide3 w, mirrored;
 } stretched_view;
 
-static wide3 wide_unit(wide3 a) {
-    const double size = sqrt(wide_dot(a, a));
-    return (wide3){a.x / size, a.y / size, a.z / size};
-}
-
 static stretched_view stretch(vec3 o, wide3 h, double alpha) {
     const wide3 w = wide_unit((wide3){alpha * o.x, alpha * o.y, o.z});
     const wide3 m = wide_unit((wide3){h.x / alpha, h.y / alpha, h.z});

@@ -96,9 +96,9 @@ hit mesh_surface(const mesh *m, int index, ray r, triangle_point q) {
 
 // ---- a torus -----------------------------------------------------------------------
 
-static void *room_for(int count, size_t size) {
+void *mesh_room(long count, size_t size) {
     void *room = calloc((size_t)count, size);
-    if (!room) die(EXIT_RUN, "no memory for a mesh of %d points", count);
+    if (!room) die(EXIT_RUN, "no memory for %ld points or triangles of a mesh", count);
     return room;
 }
 
@@ -134,8 +134,9 @@ static void torus_corners(int (*corners)[3], int around, int across) {
 
 mesh mesh_torus(vec3 centre, vec3 axis, real ring, real tube, int around, int across) {
     const int count = around * across;
-    vec3 *points = room_for(count, sizeof *points), *normals = room_for(count, sizeof *normals);
-    int(*corners)[3] = room_for(2 * count, sizeof *corners);
+    vec3 *points = mesh_room(count, sizeof *points),
+         *normals = mesh_room(count, sizeof *normals);
+    int(*corners)[3] = mesh_room(2 * count, sizeof *corners);
     torus_points(points, normals, centre, axis, ring, tube, around, across);
     torus_corners(corners, around, across);
     // Points are rounded at the size of their coordinates.

@@ -71,6 +71,9 @@ hit mesh_surface(const mesh *m, int index, ray r, triangle_point q);
 mesh mesh_torus(vec3 centre, vec3 axis, real ring, real tube, int around, int across);
 void mesh_free(mesh *m);
 
+// Zeroed memory for count > 0 parts of a mesh; dies when there is none. mesh_free frees it.
+void *mesh_room(long count, size_t size);
+
 // Exercises: exercises/05-triangle/ ----------------------------------------
 
 // The inside test of the first method: p lies in the plane of T, whose normal
