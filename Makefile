@@ -19,6 +19,7 @@
 #: make test-solutions-04   one chapter's tests on its solutions
 #: make seeds-09    one chapter's tests on its solutions with N=100 different seeds
 #: make soak        N=1e8 rays through the pictures of chapters 09 to 11: are all samples light?
+#: make fuzz        mutated texts through the OBJ reader for SECONDS=60; needs clang with libFuzzer
 #: make check       tests, stubs, wrong answers, texts, pictures, staircase, format
 #: make texts       renew the measured tables and the pictures in the texts
 #: make format      lay out all C code
@@ -234,6 +235,14 @@ build/errors/%.$(REAL).csv: $B/measure/%
 .PHONY: soak
 soak: $(patsubst %,$B/%,$(filter 09-% 1%,$(CHAPTERS)))
 	@sh tests/tools/soak.sh $(or $N,1e8) $^
+
+# The OBJ reader and what it needs, in one program with libFuzzer.
+FUZZ_CC ?= clang
+FUZZED = tests/tools/fuzz_obj.c $(wildcard common/*.c chapters/12-bvh/obj*.c) $(filter-out %/main.c \
+	%/measure.c,$(foreach c,$(UPTO_05-triangle),$(wildcard chapters/$c/*.c solutions/$c/*.c)))
+.PHONY: fuzz
+fuzz:
+	@sh tests/tools/fuzz.sh "$(or $(SECONDS),60)" $B/fuzz_obj $(FUZZ_CC) $(STRICT) -Wno-unknown-pragmas $(STB_CFLAGS) $(FUZZED)
 
 texts: error-tables $(CHAPTERS:%=$B/%) $B/same_picture
 	@sh tests/tools/texts.sh renew $(CHAPTERS)
