@@ -61,10 +61,11 @@ typedef struct {
 slab_ray slab_ray_of(ray r);
 
 // Exercise: exercises/12-bvh/aabb_hit.c
-// Does the ray meet the box at any t in [t_min, t_max], 0 <= t_min? Then *enter is where, at
-// least t_min. Never misses what an exact test would hit, also in a face, along an edge, with
-// d = ±0 and in flat boxes: it may hit boxes that the ray passes within a few roundings.
-// t_max may be INFINITY. False for an empty box. Sources: Williams et al. 2005; Ize 2013.
+// Does the ray meet the box at any t in [t_min, t_max], 0 <= t_min? Then *enter is where it comes in
+// (t_min if it is in the box there), or less by a few roundings, never more. Never misses what an exact
+// test would hit, also in a face, along an edge, with d = ±0 and in flat boxes: it may hit
+// boxes that the ray passes within a few roundings. t_max may be INFINITY. False for an empty box.
+// Sources: Williams et al. 2005; Ize 2013.
 bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *enter);
 
 #endif

@@ -34,9 +34,13 @@ static inline triangle_point leaf_test(const bvh *b, int i, ray r, real t_min, r
     return triangle_hit(b->triangles[i], r, t_min, t_max);
 }
 
-// The next number above t > 0.
+// A number above t > 0, by one or two roundings.
 static inline real just_above(real t) {
     return t + t * REAL_EPSILON;
+}
+
+static inline bool is_nearer(real t, int index, const bvh_found *found) {
+    return t < found->best.t || (t == found->best.t && t != NO_HIT && index < found->index);
 }
 
 // All triangles of a leaf: what is nearer than found->best takes its place.
@@ -45,7 +49,7 @@ static inline void leaf_nearest(const bvh *b, const bvh_node *leaf, ray r, real 
     if (spent) spent->tests += leaf->count;
     for (int i = leaf->first; i < leaf->first + leaf->count; i++) {
         const triangle_point q = leaf_test(b, i, r, t_min, found->limit);
-        if (!(q.t < found->best.t) && (q.t == NO_HIT || b->order[i] > found->index)) continue;
+        if (!is_nearer(q.t, b->order[i], found)) continue;
         *found = (bvh_found){q, b->order[i], just_above(q.t)};
     }
 }

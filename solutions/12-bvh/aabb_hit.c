@@ -1,8 +1,9 @@
 #include "chapters/12-bvh/aabb.h"
 
-// Three roundings stand behind each t: one in 1 / d, one in the difference, one in
-// the product. The interval is made longer by twice that (Ize 2013).
-#define WIDER (1 + 2 * rounding_bound(3))
+// Three roundings stand behind each t: one in 1 / d, one in the difference, one in the product.
+// Both ends of the interval are moved outwards by twice that (Ize 2013).
+#define EARLIER (1 - 2 * rounding_bound(3))
+#define LATER (1 + 2 * rounding_bound(3))
 
 // 0 · infinity, a ray in a face, is NaN. It loses every comparison, and then what was known
 // before stays: the face sets no limit. So the order in `greater` and `lesser` matters.
@@ -11,9 +12,9 @@ bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *
     const real near_x = (side[r->near[0]] - r->O.x) * r->inverse.x,
                near_y = (side[r->near[1]] - r->O.y) * r->inverse.y,
                near_z = (side[r->near[2]] - r->O.z) * r->inverse.z;
-    const real far_x = (side[r->far[0]] - r->O.x) * r->inverse.x * WIDER,
-               far_y = (side[r->far[1]] - r->O.y) * r->inverse.y * WIDER,
-               far_z = (side[r->far[2]] - r->O.z) * r->inverse.z * WIDER;
-    *enter = greater(near_z, greater(near_y, greater(near_x, t_min)));
-    return *enter <= lesser(far_z, lesser(far_y, lesser(far_x, t_max)));
+    const real far_x = (side[r->far[0]] - r->O.x) * r->inverse.x,
+               far_y = (side[r->far[1]] - r->O.y) * r->inverse.y,
+               far_z = (side[r->far[2]] - r->O.z) * r->inverse.z;
+    *enter = EARLIER * greater(near_z, greater(near_y, greater(near_x, t_min)));
+    return *enter <= LATER * lesser(far_z, lesser(far_y, lesser(far_x, t_max)));
 }
