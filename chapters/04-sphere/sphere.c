@@ -36,7 +36,7 @@ real sphere_hit(sphere S, ray r, real t_min, real t_max) {
     const double half_b = wide_dot(v, d), c = wide_dot(v, v) - rr;
     const double q = -(half_b + copysign(sqrt(quarter), half_b));
     const double t0 = q / a, t1 = q == 0 ? t0 : c / q;
-    return nearest_root((roots){2, fmin(t0, t1), fmax(t0, t1)}, t_min, t_max);
+    return nearest_root(t0 < t1 ? (roots){2, t0, t1} : (roots){2, t1, t0}, t_min, t_max);
 }
 
 // From the centre to the hit at t, of length r. t only says which end of the chord: it is
@@ -45,7 +45,8 @@ static wide3 chord_end(sphere S, ray r, real t) {
     const wide3 v = wide_sub(r.O, S.c), d = widen(r.d);
     const double a = wide_dot(d, d), middle = -wide_dot(v, d) / a;
     const wide3 l = wide_along(v, middle, d); // to the ray's point nearest the centre
-    const double square = (double)S.r * S.r - wide_dot(l, l), half = sqrt(fmax(square, 0) / a);
+    const double square = (double)S.r * S.r - wide_dot(l, l),
+                 half = square > 0 ? sqrt(square / a) : 0;
     const wide3 end = wide_along(l, t <= (real)middle ? -half : half, d);
     const double stretch = S.r / sqrt(wide_dot(end, end));
     return (wide3){stretch * end.x, stretch * end.y, stretch * end.z};

@@ -10,56 +10,52 @@ color clear_sky(vec3 d) {
 
 // What the ray meets first, of all that was tried so far.
 typedef struct {
-    enum { NOTHING, SPHERE, PLANE, TRIANGLE } kind;
-    int index;         // of the sphere, the plane or the mesh
-    int corner;        // TRIANGLE: which one of the mesh
+    int body;          // -1: nothing
+    int corner;        // of a mesh: which triangle
     triangle_point at; // at.t: the new t_max
 } nearest;
 
 static nearest try_spheres(const scene *sc, ray r, real t_min, nearest best) {
     for (int i = 0; i < sc->sphere_count; i++) {
         const real t = sphere_hit(sc->spheres[i], r, t_min, best.at.t);
-        if (t < best.at.t) best = (nearest){SPHERE, i, 0, {t, 0, 0}};
+        if (t < best.at.t) best.body = i, best.at.t = t;
     }
     return best;
 }
 
+// Which of the planes is nearest is a matter of chance, on which the processor would often guess
+// wrong: so nothing branches on it. For that each t is compared with best.at.t here alone.
 static nearest try_planes(const scene *sc, ray r, real t_min, nearest best) {
+    const int planes = sc->sphere_count;
     for (int i = 0; i < sc->plane_count; i++) {
-        const real t = plane_hit(sc->planes[i], r, t_min, best.at.t);
-        if (t < best.at.t) best = (nearest){PLANE, i, 0, {t, 0, 0}};
+        const real t = plane_hit(sc->planes[i], r, t_min, NO_HIT);
+        best.body = t < best.at.t ? planes + i : best.body;
+        best.at.t = t < best.at.t ? t : best.at.t;
     }
     return best;
 }
 
 static nearest try_meshes(const scene *sc, ray r, real t_min, nearest best) {
+    const int meshes = sc->sphere_count + sc->plane_count;
     for (int i = 0; i < sc->mesh_count; i++) {
         int which = 0;
         const triangle_point at = mesh_hit(&sc->meshes[i], r, t_min, best.at.t, &which);
-        if (at.t < best.at.t) best = (nearest){TRIANGLE, i, which, at};
+        if (at.t < best.at.t) best = (nearest){meshes + i, which, at};
     }
     return best;
 }
 
 hit scene_nearest(const scene *sc, ray r, real t_min, real t_max, int *body) {
-    nearest best = {NOTHING, 0, 0, {t_max, 0, 0}};
+    nearest best = {-1, 0, {t_max, 0, 0}};
     best = try_spheres(sc, r, t_min, best);
     best = try_planes(sc, r, t_min, best);
     best = try_meshes(sc, r, t_min, best);
-    const int i = best.index;
-    switch (best.kind) {
-    case SPHERE:
-        *body = i;
-        return sphere_surface(sc->spheres[i], r, best.at.t);
-    case PLANE:
-        *body = sc->sphere_count + i;
-        return plane_surface(sc->planes[i], r, best.at.t);
-    case TRIANGLE:
-        *body = sc->sphere_count + sc->plane_count + i;
-        return triangle_surface(mesh_triangle(&sc->meshes[i], best.corner), r, best.at);
-    default:
-        return (hit){.t = NO_HIT};
-    }
+    if (best.body < 0) return (hit){.t = NO_HIT};
+    *body = best.body;
+    const int in_planes = best.body - sc->sphere_count, in_meshes = in_planes - sc->plane_count;
+    if (in_planes < 0) return sphere_surface(sc->spheres[best.body], r, best.at.t);
+    if (in_meshes < 0) return plane_surface(sc->planes[in_planes], r, best.at.t);
+    return triangle_surface(mesh_triangle(&sc->meshes[in_meshes], best.corner), r, best.at);
 }
 
 static const material *material_of(const scene *sc, int body) {

@@ -23,13 +23,9 @@ stop stop_at(const surface *m, ray r, hit h) {
 
 // ---- the light of the lamps ----------------------------------------------------------
 
-// Both ends lie off their surfaces, the far one only where the lamp could hide itself.
 static bool sees(const lit_room *sc, const stop *at, const aim *a) {
-    const lamp *l = &sc->lamps.lamps[sc->lamps.of_body[a->body]];
-    const vec3 end =
-        l->hides_itself ? offset_origin(a->on.p, a->on.error, a->on.n, a->on.n) : a->on.p;
-    const ray r = {at->start, sub(end, at->start)};
-    return !scene_blocked(&sc->bodies, r, 1 - 4 * REAL_EPSILON, l->hides_itself ? -1 : a->body);
+    const ray r = {at->start, sub(a->end, at->start)};
+    return !scene_blocked(&sc->bodies, r, 1 - 4 * REAL_EPSILON, a->except);
 }
 
 color direct_light(const lit_room *sc, const stop *at, rng *g) {
@@ -38,16 +34,18 @@ color direct_light(const lit_room *sc, const stop *at, rng *g) {
     const aim a = lamps_aim(&sc->lamps, at->start, g);
     if (a.body < 0 || !a.on.front) return black;
     const color f = surface_brdf(at->m, at->n, at->o, a.v);
-    if (is_black(f) || !(a.p > 0) || !isfinite(a.p) || !sees(sc, at, &a)) return black;
+    if (is_black(f) || !sees(sc, at, &a)) return black;
+    const real p = lamps_probability(&sc->lamps, a.body, at->start, a.on);
+    if (!(p > 0) || !isfinite(p)) return black;
     const real q = surface_probability(at->m, at->n, at->o, a.v);
-    const real share = sc->strategy == BY_LAMPS ? 1 : heuristic(sc->strategy, a.p, q);
-    return scale(share * dot(at->n, a.v) / a.p, mul(f, sc->surfaces[a.body].emittance));
+    const real share = sc->strategy == BY_LAMPS ? 1 : heuristic(sc->strategy, p, q);
+    return scale(share * dot(at->n, a.v) / p, mul(f, sc->surfaces[a.body].emittance));
 }
 
 real share_of_hit(const lit_room *sc, int body, ray r, hit h, real p) {
     if (sc->strategy < BY_LAMPS || sc->lamps.of_body[body] < 0) return 1;
     if (sc->strategy == BY_LAMPS) return 0;
-    return heuristic(sc->strategy, p, lamps_probability(&sc->lamps, body, r.O, r.d, h));
+    return heuristic(sc->strategy, p, lamps_probability(&sc->lamps, body, r.O, h));
 }
 
 // ---- the path ------------------------------------------------------------------------

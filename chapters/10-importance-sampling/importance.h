@@ -73,16 +73,17 @@ void lamps_free(lamps *all);
 
 // A point of a lamp, as seen from x.
 typedef struct {
-    int body; // -1: there is none to be seen from x
-    hit on;   // the point; on.t is the distance
-    vec3 v;   // the direction, unit
-    real p;   // its density per steradian at x
+    int body;   // -1: there is none to be seen from x
+    hit on;     // the point; on.t is the distance
+    vec3 v;     // the direction, unit
+    vec3 end;   // where a shadow ray ends: off the surface, if the lamp could hide itself
+    int except; // and which body it may touch; -1: none
 } aim;
 aim lamps_aim(const lamps *all, vec3 x, rng *g);
 
-// The density with which lamps_aim chooses v at x, when the ray (x, v) meets the body at h;
-// 0 for what is no lamp.
-real lamps_probability(const lamps *all, int body, vec3 x, vec3 v, hit h);
+// The density per steradian with which lamps_aim at x chooses the direction to the point h of
+// the body; 0 for what is no lamp.
+real lamps_probability(const lamps *all, int body, vec3 x, hit h);
 
 // Is anything but the sphere or mesh `except` (-1: but nothing) at a point of the ray with
 // 0 < t < t_max?

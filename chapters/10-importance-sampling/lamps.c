@@ -74,7 +74,7 @@ void lamps_free(lamps *all) {
 // ---- towards a sphere --------------------------------------------------------------
 
 // A direction to a sphere that looks tiny has few digits for it, and some pass the rim by a
-// rounding: they stand for the rim. The density is that of the whole cone.
+// rounding: they stand for the rim.
 static aim aim_at_sphere(const lamp *l, vec3 x, rng *g) {
     const vec3 w = sub(l->S->c, x);
     if (dot(w, w) <= l->S->r * l->S->r) return (aim){.body = -1};
@@ -83,7 +83,7 @@ static aim aim_at_sphere(const lamp *l, vec3 x, rng *g) {
     const real t = fmin(sphere_hit(*l->S, r, 0, NO_HIT), dot(w, v));
     hit on = sphere_surface(*l->S, r, t);
     on.front = true;
-    return (aim){l->body, on, v, sphere_probability(*l->S, x, normalize(w))};
+    return (aim){l->body, on, v, on.p, l->body};
 }
 
 // ---- towards a mesh ------------------------------------------------------------------
@@ -105,7 +105,8 @@ static aim aim_at_mesh(const lamp *l, vec3 x, rng *g) {
     if (!(t > 0)) return (aim){.body = -1};
     const vec3 v = scale(1 / t, sub(y, x));
     const hit on = {t, y, l->error, f->n, dot(v, f->n) < 0};
-    return (aim){l->body, on, v, solid_angle_probability(x, y, f->n, l->area)};
+    if (!l->hides_itself) return (aim){l->body, on, v, y, l->body};
+    return (aim){l->body, on, v, offset_origin(y, l->error, f->n, f->n), -1};
 }
 
 // ---- any of them ---------------------------------------------------------------------
@@ -114,24 +115,29 @@ aim lamps_aim(const lamps *all, vec3 x, rng *g) {
     if (all->count == 0) return (aim){.body = -1};
     const int i = (int)(rng_real(g) * (real)all->count);
     const lamp *l = &all->lamps[i < all->count ? i : all->count - 1];
-    aim a = l->S ? aim_at_sphere(l, x, g) : aim_at_mesh(l, x, g);
-    a.p /= (real)all->count;
-    return a;
+    return l->S ? aim_at_sphere(l, x, g) : aim_at_mesh(l, x, g);
 }
 
-real lamps_probability(const lamps *all, int body, vec3 x, vec3 v, hit h) {
+// That of a sphere is the same in the whole cone, also where the direction to h was rounded
+// out of it: so it is asked for the middle.
+real lamps_probability(const lamps *all, int body, vec3 x, hit h) {
     if (all->of_body[body] < 0) return 0;
     const lamp *l = &all->lamps[all->of_body[body]];
-    const real p =
-        l->S ? sphere_probability(*l->S, x, v) : solid_angle_probability(x, h.p, h.n, l->area);
+    const real p = l->S ? sphere_probability(*l->S, x, normalize(sub(l->S->c, x)))
+                        : solid_angle_probability(x, h.p, h.n, l->area);
     return p / (real)all->count;
 }
 
+// Planes as in scene_nearest: no branch that depends on chance.
 bool scene_blocked(const scene *sc, ray r, real t_max, int except) {
     for (int i = 0; i < sc->sphere_count; i++)
         if (i != except && sphere_hit(sc->spheres[i], r, 0, t_max) < t_max) return true;
-    for (int i = 0; i < sc->plane_count; i++)
-        if (plane_hit(sc->planes[i], r, 0, t_max) < t_max) return true;
+    real nearest = t_max;
+    for (int i = 0; i < sc->plane_count; i++) {
+        const real t = plane_hit(sc->planes[i], r, 0, NO_HIT);
+        nearest = t < nearest ? t : nearest;
+    }
+    if (nearest < t_max) return true;
     const int meshes = sc->sphere_count + sc->plane_count;
     for (int i = 0; i < sc->mesh_count; i++)
         if (meshes + i != except && mesh_any(&sc->meshes[i], r, 0, t_max)) return true;

@@ -46,12 +46,9 @@ static void note_shadow(notebook *b, step *s) {
     const aim a = lamps_aim(&b->room.lamps, s->at.start, &g);
     if (a.body < 0 || !a.on.front) return;
     const color f = surface_brdf(s->at.m, s->at.n, s->at.o, a.v);
-    s->aimed = (f.x > 0 || f.y > 0 || f.z > 0) && a.p > 0 && isfinite(a.p);
-    const lamp *l = &b->room.lamps.lamps[b->room.lamps.of_body[a.body]];
-    const vec3 end =
-        l->hides_itself ? offset_origin(a.on.p, a.on.error, a.on.n, a.on.n) : a.on.p;
-    s->shadow = (ray){s->at.start, sub(end, s->at.start)};
-    s->except = l->hides_itself ? -1 : a.body;
+    s->aimed = f.x > 0 || f.y > 0 || f.z > 0;
+    s->shadow = (ray){s->at.start, sub(a.end, s->at.start)};
+    s->except = a.except;
 }
 
 static color walk(notebook *b, ray r, rng *g) {
@@ -136,7 +133,9 @@ FLAT static void do_sampling(void *data) {
     for (int i = 0; i < b->stops; i++) {
         const step *s = &b->steps[i];
         rng g = s->before_aim, h = s->before_scatter;
-        sum += (double)lamps_aim(&b->room.lamps, s->at.start, &g).p;
+        const aim a = lamps_aim(&b->room.lamps, s->at.start, &g);
+        if (a.body >= 0)
+            sum += (double)lamps_probability(&b->room.lamps, a.body, s->at.start, a.on);
         sum += (double)surface_scatter(s->at.m, s->at.n, s->at.o, &h).p;
     }
     keep(sum);

@@ -6,5 +6,5 @@ real plane_hit(plane P, ray r, real t_min, real t_max) {
     const double above = wide_dot(wide_sub(P.x, r.O), widen(P.n));
     const double along = wide_dot(widen(r.d), widen(P.n));
     const real t = (real)(above / along);
-    return t > t_min && t < t_max ? t : NO_HIT;
+    return t < t_max && t > t_min ? t : NO_HIT;
 }

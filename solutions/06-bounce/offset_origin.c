@@ -3,7 +3,8 @@
 // One or two numbers further in the direction of the step, so that rounding
 // p + step to the nearest never takes any of it back.
 static real away(real x, real step) {
-    return step == 0 ? x : x + copysign(REAL_EPSILON * fabs(x), step);
+    const int sign = (step > 0) - (step < 0);
+    return x + sign * (REAL_EPSILON * fabs(x));
 }
 
 // |n|·error is how far the box p ± error reaches along n.
