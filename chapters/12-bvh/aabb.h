@@ -50,22 +50,33 @@ static inline real along(vec3 v, int axis) {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-// A ray with what it asks of every box, worked out once.
+// A ray with what it asks of every box, worked out once. With s one of a box's six numbers, the
+// ray is there at t = (s - O) / d: s * near_scale + near_offset is never more than that,
+// s * far_scale + far_offset never less, and both only by a few roundings of s and O.
 typedef struct {
     vec3 O, d;
-    vec3 inverse;        // 1 / d; infinite where d is 0, with its sign
-    int near[3], far[3]; // which of a box's six numbers, min.x min.y min.z max.x max.y max.z,
-                         // the ray meets first and last along x, y, z
+    vec3 inverse; // 1 / d; infinite where d is 0, with its sign
+    vec3 near_scale, near_offset, far_scale, far_offset;
+    size_t near[3], far[3]; // which of a box's six numbers, min.x min.y min.z max.x max.y max.z,
+                            // the ray meets first and last along x, y, z
 } slab_ray;
 
 slab_ray slab_ray_of(ray r);
 
+// a b + c, in one instruction where there is one.
+static inline real times_plus(real a, real b, real c) {
+#if defined FP_FAST_FMA && defined FP_FAST_FMAF
+    return fma(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
 // Exercise: exercises/12-bvh/aabb_hit.c
-// Does the ray meet the box at any t in [t_min, t_max], 0 <= t_min? Then *enter is where it comes in
-// (t_min if it is in the box there), or less by a few roundings, never more. Never misses what an exact
-// test would hit, also in a face, along an edge, with d = ±0 and in flat boxes: it may hit
-// boxes that the ray passes within a few roundings. t_max may be INFINITY. False for an empty box.
-// Sources: Williams et al. 2005; Ize 2013.
+// Does the ray meet the box at any t in [t_min, t_max], 0 <= t_min? Then *enter is where, at
+// least t_min. Never misses what an exact test would hit, also in a face, along an edge, with
+// d = ±0 and in flat boxes: it may hit boxes that the ray passes within a few roundings.
+// t_max may be INFINITY. False for an empty box. Sources: Williams et al. 2005; Ize 2013.
 bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *enter);
 
 #endif

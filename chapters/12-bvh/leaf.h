@@ -7,13 +7,13 @@
 // What a walk knows so far.
 typedef struct {
     triangle_point best; // t = NO_HIT: nothing yet
-    int index;           // of the nearest triangle, in the mesh
+    int index;           // of the nearest triangle, in the mesh; -1: none
     real limit; // what begins beyond cannot be nearer; just above best.t, since of two equally
                 // near triangles the one with the smaller index is wanted
 } bvh_found;
 
 static inline bvh_found bvh_nothing_found(real t_max) {
-    return (bvh_found){{NO_HIT, 0, 0}, 0, t_max};
+    return (bvh_found){{NO_HIT, 0, 0}, -1, t_max};
 }
 
 // Möller and Trumbore 1997 in real arithmetic, divided last. Leaks between triangles.
@@ -23,43 +23,40 @@ static inline triangle_point plain_hit(const triangle *T, ray r, real t_min, rea
     const vec3 P = cross(r.d, b), Q = cross(s, a);
     const real det = dot(a, P), sign = copysign(1, det), D = fabs(det);
     const real u = sign * dot(s, P), v = sign * dot(r.d, Q);
-    if (!(u >= 0 && v >= 0 && u + v <= D)) return miss;
+    if (!((u >= 0) & (v >= 0) & (u + v <= D))) return miss; // & asks once, && three times
     const real inverse = 1 / D, t = sign * dot(b, Q) * inverse;
     if (!(t > t_min && t < t_max)) return miss;
     return (triangle_point){t, u * inverse, v * inverse};
 }
 
-static inline triangle_point leaf_test(const bvh *b, int i, ray r, real t_min, real t_max) {
-    if (b->test == TEST_PLAIN) return plain_hit(&b->triangles[i], r, t_min, t_max);
-    return triangle_hit(b->triangles[i], r, t_min, t_max);
+static inline triangle_point leaf_test(const triangle *T, triangle_test test, ray r, real t_min,
+                                       real t_max) {
+    if (test == TEST_PLAIN) return plain_hit(T, r, t_min, t_max);
+    return triangle_hit(*T, r, t_min, t_max);
 }
 
-// A number above t > 0, by one or two roundings.
+// A number above t > 0, by one or two steps.
 static inline real just_above(real t) {
-    return t + t * REAL_EPSILON;
-}
-
-static inline bool is_nearer(real t, int index, const bvh_found *found) {
-    return t < found->best.t || (t == found->best.t && t != NO_HIT && index < found->index);
+    return t * (1 + REAL_EPSILON) + REAL_MIN * REAL_EPSILON;
 }
 
 // All triangles of a leaf: what is nearer than found->best takes its place.
-static inline void leaf_nearest(const bvh *b, const bvh_node *leaf, ray r, real t_min,
-                                bvh_found *found, effort *spent) {
+static inline void leaf_nearest(const bvh *b, triangle_test test, const bvh_node *leaf, const slab_ray *s,
+                                real t_min, bvh_found *found, effort *spent) {
     if (spent) spent->tests += leaf->count;
     for (int i = leaf->first; i < leaf->first + leaf->count; i++) {
-        const triangle_point q = leaf_test(b, i, r, t_min, found->limit);
-        if (!is_nearer(q.t, b->order[i], found)) continue;
-        *found = (bvh_found){q, b->order[i], just_above(q.t)};
+        const triangle_point q = leaf_test(&b->triangles[i], test, (ray){s->O, s->d}, t_min, found->limit);
+        if (q.t < found->best.t || (q.t == found->best.t && b->order[i] < found->index))
+            *found = (bvh_found){q, b->order[i], just_above(q.t)};
     }
 }
 
 // Is any triangle of a leaf hit?
-static inline bool leaf_any(const bvh *b, const bvh_node *leaf, ray r, real t_min, real t_max,
-                            effort *spent) {
+static inline bool leaf_any(const bvh *b, triangle_test test, const bvh_node *leaf, const slab_ray *s,
+                            real t_min, real t_max, effort *spent) {
     if (spent) spent->tests += leaf->count;
     for (int i = leaf->first; i < leaf->first + leaf->count; i++)
-        if (leaf_test(b, i, r, t_min, t_max).t != NO_HIT) return true;
+        if (leaf_test(&b->triangles[i], test, (ray){s->O, s->d}, t_min, t_max).t != NO_HIT) return true;
     return false;
 }
 

@@ -1,20 +1,15 @@
 #include "chapters/12-bvh/aabb.h"
 
-// Three roundings stand behind each t: one in 1 / d, one in the difference, one in the product.
-// Both ends of the interval are moved outwards by twice that (Ize 2013).
-#define EARLIER (1 - 2 * rounding_bound(3))
-#define LATER (1 + 2 * rounding_bound(3))
-
-// 0 · infinity, a ray in a face, is NaN. It loses every comparison, and then what was known
-// before stays: the face sets no limit. So the order in `greater` and `lesser` matters.
-bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *enter) {
+// A NaN, infinity less infinity, loses every comparison, and then what was known before stays:
+// that side sets no limit. So the order in `greater` and `lesser` matters.
+inline bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *enter) {
     const real *side = &box->min.x;
-    const real near_x = (side[r->near[0]] - r->O.x) * r->inverse.x,
-               near_y = (side[r->near[1]] - r->O.y) * r->inverse.y,
-               near_z = (side[r->near[2]] - r->O.z) * r->inverse.z;
-    const real far_x = (side[r->far[0]] - r->O.x) * r->inverse.x,
-               far_y = (side[r->far[1]] - r->O.y) * r->inverse.y,
-               far_z = (side[r->far[2]] - r->O.z) * r->inverse.z;
-    *enter = EARLIER * greater(near_z, greater(near_y, greater(near_x, t_min)));
-    return *enter <= LATER * lesser(far_z, lesser(far_y, lesser(far_x, t_max)));
+    const real near_x = times_plus(side[r->near[0]], r->near_scale.x, r->near_offset.x),
+               near_y = times_plus(side[r->near[1]], r->near_scale.y, r->near_offset.y),
+               near_z = times_plus(side[r->near[2]], r->near_scale.z, r->near_offset.z);
+    const real far_x = times_plus(side[r->far[0]], r->far_scale.x, r->far_offset.x),
+               far_y = times_plus(side[r->far[1]], r->far_scale.y, r->far_offset.y),
+               far_z = times_plus(side[r->far[2]], r->far_scale.z, r->far_offset.z);
+    *enter = greater(near_z, greater(near_y, greater(near_x, t_min)));
+    return *enter <= lesser(far_z, lesser(far_y, lesser(far_x, t_max)));
 }

@@ -6,47 +6,53 @@ typedef struct {
     real t;
 } waiting;
 
-triangle_point bvh_nearest(const bvh *b, ray r, real t_min, real t_max, int *index,
-                           effort *spent) {
-    const slab_ray s = slab_ray_of(r);
+static inline bvh_found nearest(const bvh *b, triangle_test test, const slab_ray *s, real t_min,
+                                real t_max, effort *spent) {
     bvh_found found = bvh_nothing_found(t_max);
-    waiting stack[BVH_DEPTH];
-    int top = 0;
-    real t;
-    const bvh_node *n = b->nodes;
-    if (!b->count || !aabb_hit(&n->box, &s, t_min, t_max, &t)) return found.best;
-    if (spent) spent->steps++;
-    for (;;) {
+    waiting stack[BVH_DEPTH], *top = stack;
+    real t_left, t_right;
+    for (const bvh_node *n = b->nodes;;) {
         if (n->count) {
-            leaf_nearest(b, n, r, t_min, &found, spent);
+            leaf_nearest(b, test, n, s, t_min, &found, spent);
         } else {
             const bvh_node *left = &b->nodes[n->first], *right = left + 1;
-            real t_left, t_right;
             if (spent) spent->steps += 2;
-            const bool in_left = aabb_hit(&left->box, &s, t_min, found.limit, &t_left);
-            const bool in_right = aabb_hit(&right->box, &s, t_min, found.limit, &t_right);
-            if (in_left && in_right) {
-                if (t_left <= t_right) {
-                    stack[top++] = (waiting){n->first + 1, t_right};
-                    n = left;
+            const bool in_left = aabb_hit(&left->box, s, t_min, found.limit, &t_left);
+            const bool in_right = aabb_hit(&right->box, s, t_min, found.limit, &t_right);
+            if (in_left) {
+                if (in_right) {
+                    if (t_left <= t_right) {
+                        *top++ = (waiting){n->first + 1, t_right};
+                        n = left;
+                    } else {
+                        *top++ = (waiting){n->first, t_left};
+                        n = right;
+                    }
                 } else {
-                    stack[top++] = (waiting){n->first, t_left};
-                    n = right;
+                    n = left;
                 }
                 continue;
             }
-            if (in_left || in_right) {
-                n = in_left ? left : right;
+            if (in_right) {
+                n = right;
                 continue;
             }
         }
         do {
-            if (top == 0) {
-                if (found.best.t != NO_HIT) *index = found.index;
-                return found.best;
-            }
+            if (top == stack) return found;
             top--;
-        } while (stack[top].t > found.limit);
-        n = &b->nodes[stack[top].node];
+        } while (top->t > found.limit);
+        n = &b->nodes[top->node];
     }
+}
+
+triangle_point bvh_nearest(const bvh *b, ray r, real t_min, real t_max, int *index,
+                           effort *spent) {
+    const slab_ray s = slab_ray_of(r);
+    if (!b->count) return (triangle_point){NO_HIT, 0, 0};
+    const bvh_found found = b->test == TEST_PLAIN
+                                ? nearest(b, TEST_PLAIN, &s, t_min, t_max, spent)
+                                : nearest(b, TEST_WATERTIGHT, &s, t_min, t_max, spent);
+    if (found.index >= 0) *index = found.index;
+    return found.best;
 }
