@@ -67,8 +67,8 @@ static void bin_add(bin *b, aabb box) {
 }
 
 static void fill_bins(bin bins[3][BVH_BINS], const bvh_item *items, int count, slices s) {
-    for (int k = 0; k < s.count; k++)
-        bins[0][k] = bins[1][k] = bins[2][k] = (bin){aabb_empty, 0};
+    for (int axis = 0; axis < 3; axis++)
+        for (int k = 0; k < s.count; k++) bins[axis][k] = (bin){aabb_empty, 0};
     for (int i = 0; i < count; i++) {
         const aabb box = items[i].box;
         const vec3 at = mul(sub(aabb_centre(box), s.centres.min), s.per_length);
