@@ -56,12 +56,49 @@ static inline real along(vec3 v, int axis) {
 typedef struct {
     vec3 O, d;
     vec3 inverse; // 1 / d; infinite where d is 0, with its sign
-    vec3 near_scale, near_offset, far_scale, far_offset;
-    size_t near[3], far[3]; // which of a box's six numbers, min.x min.y min.z max.x max.y max.z,
-                            // the ray meets first and last along x, y, z
+    real near_scale[3], near_offset[3], far_scale[3], far_offset[3];
+    size_t near[3],
+        far[3]; // which of a box's six numbers, min.x min.y min.z max.x max.y max.z,
+                // the ray meets first and last along x, y, z
 } slab_ray;
 
-slab_ray slab_ray_of(ray r);
+static inline vec3 reciprocal(vec3 d) {
+    return (vec3){1 / d.x, 1 / d.y, 1 / d.z};
+}
+
+static inline real not_zero(real d) {
+    return d == 0 ? copysign((real)0x1p-80, d) : d;
+}
+
+// O moved along d, by what rounding may make of O and of products with it; where O is 0, by a
+// length that is nothing in any scene.
+static inline vec3 shifted(vec3 O, vec3 d) {
+    const real least = (real)1e-12, share = 2 * rounding_bound(4);
+    return (vec3){O.x + copysign(least + share * fabs(O.x), d.x),
+                  O.y + copysign(least + share * fabs(O.y), d.y),
+                  O.z + copysign(least + share * fabs(O.z), d.z)};
+}
+
+// t = s / d - O / d is infinity less infinity where d is 0. There d is taken as 2^-80: a ray
+// along a face of a box then stays in it until t = 1e-12 / 2^-80 = 1e12 at least. A scale has
+// two roundings, its product with s and the sum two more.
+static inline slab_ray slab_ray_of(ray r) {
+    const size_t x = signbit(r.d.x) ? 3 : 0, y = signbit(r.d.y) ? 3 : 0,
+                 z = signbit(r.d.z) ? 3 : 0;
+    const vec3 inverse = reciprocal((vec3){not_zero(r.d.x), not_zero(r.d.y), not_zero(r.d.z)});
+    const vec3 early = scale(1 - 2 * rounding_bound(4), inverse),
+               late = scale(1 + 2 * rounding_bound(4), inverse);
+    const vec3 start = mul(shifted(r.O, r.d), early), end = mul(shifted(r.O, neg(r.d)), late);
+    return (slab_ray){.O = r.O,
+                      .d = r.d,
+                      .inverse = reciprocal(r.d),
+                      .near_scale = {early.x, early.y, early.z},
+                      .near_offset = {-start.x, -start.y, -start.z},
+                      .far_scale = {late.x, late.y, late.z},
+                      .far_offset = {-end.x, -end.y, -end.z},
+                      .near = {x, 1 + y, 2 + z},
+                      .far = {3 - x, 4 - y, 5 - z}};
+}
 
 // a b + c, in one instruction where there is one.
 static inline real times_plus(real a, real b, real c) {

@@ -36,12 +36,12 @@ static int halvings(int count) { // until one is left
 
 // How many of the items go to the left, 0: none, a leaf. When the rule finds no division of
 // too many, or has used up its depth, the median takes over: it always halves.
-static int divide(const builder *b, bvh_item *items, int count, aabb box, int depth) {
+static int divide(const builder *b, bvh_item *items, int count, extent in, int depth) {
     if (count < 2) return 0;
     const int left =
-        depth + halvings(count) < BVH_DEPTH ? b->split(items, count, box, b->how) : 0;
+        depth + halvings(count) < BVH_DEPTH ? b->split(items, count, in, b->how) : 0;
     if (left > 0 || count <= b->how.leaf_size) return left;
-    split_median(items, count, longest_axis(items_centres(items, count)));
+    split_median(items, count, longest_axis(in.centres));
     return count / 2;
 }
 
@@ -51,11 +51,11 @@ static void make_leaf(const builder *b, bvh_node *n, int from, int to) {
     if (b->shown) progress_add(b->shown, n->count);
 }
 
-static void make_node(const builder *b, int node, int from, int to, aabb box, int depth) {
+static void make_node(const builder *b, int node, int from, int to, extent in, int depth) {
     bvh_item *items = b->items + from;
-    const int left = divide(b, items, to - from, box, depth);
+    const int left = divide(b, items, to - from, in, depth);
     bvh_node *n = &b->tree->nodes[node];
-    n->box = box;
+    n->box = in.box;
     if (!left) {
         make_leaf(b, n, from, to);
         return;
@@ -63,7 +63,8 @@ static void make_node(const builder *b, int node, int from, int to, aabb box, in
     n->first = b->tree->node_count;
     n->count = 0;
     b->tree->node_count += 2;
-    const aabb l = items_box(items, left), r = items_box(items + left, to - from - left);
+    const extent l = items_extent(items, left),
+                 r = items_extent(items + left, to - from - left);
     make_node(b, n->first, from, from + left, l, depth + 1);
     make_node(b, n->first + 1, from + left, to, r, depth + 1);
 }
@@ -106,7 +107,7 @@ bvh bvh_build(const mesh *m, bvh_options how) {
         tree.nodes = room_for(2 * tree.count, sizeof *tree.nodes);
         tree.node_count = 2;
         const builder b = {&tree, items, how, function_of(how.rule), large ? &shown : NULL};
-        make_node(&b, 0, 0, tree.count, items_box(items, tree.count), 0);
+        make_node(&b, 0, 0, tree.count, items_extent(items, tree.count), 0);
         if (large) progress_end(&shown);
         keep_order(&tree, items);
     }

@@ -3,45 +3,6 @@
 
 #include <stdlib.h>
 
-// ---- a ray for boxes ---------------------------------------------------------------
-
-static inline vec3 reciprocal(vec3 d) {
-    return (vec3){1 / d.x, 1 / d.y, 1 / d.z};
-}
-
-static inline real not_zero(real d) {
-    return d == 0 ? copysign((real)0x1p-80, d) : d;
-}
-
-// O, forwards along d by what rounding may make of O and of products with it; where O is 0, by a
-// length that is nothing in any scene.
-static inline vec3 shifted(vec3 O, vec3 d) {
-    const vec3 e = add(scale(2 * rounding_bound(4), absolute(O)), (vec3){(real)1e-12, (real)1e-12, (real)1e-12});
-    return (vec3){O.x + copysign(e.x, d.x), O.y + copysign(e.y, d.y), O.z + copysign(e.z, d.z)};
-}
-
-// t = s / d - O / d is infinity less infinity where d is 0. There d is taken as 2^-80: a ray along
-// a side of the box, at a distance of 0, then leaves it after 1e-12 / 2^-80, t = 1e12, or
-// later.
-inline slab_ray slab_ray_of(ray r) {
-    const size_t x = signbit(r.d.x) ? 3 : 0, y = signbit(r.d.y) ? 3 : 0,
-                 z = signbit(r.d.z) ? 3 : 0;
-    const vec3 inverse = reciprocal((vec3){not_zero(r.d.x), not_zero(r.d.y), not_zero(r.d.z)});
-    const vec3 early = scale(1 - 2 * rounding_bound(4), inverse),
-               late = scale(1 + 2 * rounding_bound(4), inverse);
-    return (slab_ray){.O = r.O,
-                      .d = r.d,
-                      .inverse = reciprocal(r.d),
-                      .near_scale = early,
-                      .near_offset = neg(mul(shifted(r.O, r.d), early)),
-                      .far_scale = late,
-                      .far_offset = neg(mul(shifted(r.O, neg(r.d)), late)),
-                      .near = {x, 1 + y, 2 + z},
-                      .far = {3 - x, 4 - y, 5 - z}};
-}
-
-// ---- a finder ----------------------------------------------------------------------
-
 static triangle_point nearest(const void *tree, ray r, real t_min, real t_max, int *index) {
     return bvh_nearest(tree, r, t_min, t_max, index, NULL);
 }

@@ -41,22 +41,25 @@ static inline real just_above(real t) {
 }
 
 // All triangles of a leaf: what is nearer than found->best takes its place.
-static inline void leaf_nearest(const bvh *b, triangle_test test, const bvh_node *leaf, const slab_ray *s,
-                                real t_min, bvh_found *found, effort *spent) {
+static inline void leaf_nearest(const bvh *b, triangle_test test, const bvh_node *leaf,
+                                const slab_ray *s, real t_min, bvh_found *found,
+                                effort *spent) {
     if (spent) spent->tests += leaf->count;
     for (int i = leaf->first; i < leaf->first + leaf->count; i++) {
-        const triangle_point q = leaf_test(&b->triangles[i], test, (ray){s->O, s->d}, t_min, found->limit);
+        const triangle_point q =
+            leaf_test(&b->triangles[i], test, (ray){s->O, s->d}, t_min, found->limit);
         if (q.t < found->best.t || (q.t == found->best.t && b->order[i] < found->index))
             *found = (bvh_found){q, b->order[i], just_above(q.t)};
     }
 }
 
 // Is any triangle of a leaf hit?
-static inline bool leaf_any(const bvh *b, triangle_test test, const bvh_node *leaf, const slab_ray *s,
-                            real t_min, real t_max, effort *spent) {
+static inline bool leaf_any(const bvh *b, triangle_test test, const bvh_node *leaf,
+                            const slab_ray *s, real t_min, real t_max, effort *spent) {
     if (spent) spent->tests += leaf->count;
     for (int i = leaf->first; i < leaf->first + leaf->count; i++)
-        if (leaf_test(&b->triangles[i], test, (ray){s->O, s->d}, t_min, t_max).t != NO_HIT) return true;
+        if (leaf_test(&b->triangles[i], test, (ray){s->O, s->d}, t_min, t_max).t != NO_HIT)
+            return true;
     return false;
 }
 

@@ -1,16 +1,13 @@
 // split.c: the median, the midpoint, and the surface area heuristic with bins.
 #include "chapters/12-bvh/split.h"
 
-aabb items_box(const bvh_item *items, int count) {
-    aabb box = aabb_empty;
-    for (int i = 0; i < count; i++) box = aabb_join(box, items[i].box);
-    return box;
-}
-
-aabb items_centres(const bvh_item *items, int count) {
-    aabb box = aabb_empty;
-    for (int i = 0; i < count; i++) box = aabb_with(box, aabb_centre(items[i].box));
-    return box;
+extent items_extent(const bvh_item *items, int count) {
+    extent e = {aabb_empty, aabb_empty};
+    for (int i = 0; i < count; i++) {
+        e.box = aabb_join(e.box, items[i].box);
+        e.centres = aabb_with(e.centres, aabb_centre(items[i].box));
+    }
+    return e;
 }
 
 int longest_axis(aabb box) {
@@ -19,19 +16,16 @@ int longest_axis(aabb box) {
     return e.y >= e.z ? 1 : 2;
 }
 
-int split_by_median(bvh_item *items, int count, aabb box, bvh_options how) {
-    (void)box;
+int split_by_median(bvh_item *items, int count, extent in, bvh_options how) {
     if (count <= how.leaf_size) return 0;
-    split_median(items, count, longest_axis(items_centres(items, count)));
+    split_median(items, count, longest_axis(in.centres));
     return count / 2;
 }
 
-int split_by_midpoint(bvh_item *items, int count, aabb box, bvh_options how) {
-    (void)box;
+int split_by_midpoint(bvh_item *items, int count, extent in, bvh_options how) {
     if (count <= how.leaf_size) return 0;
-    const aabb centres = items_centres(items, count);
-    const int axis = longest_axis(centres);
-    return split_at(items, count, axis, along(aabb_centre(centres), axis)) % count;
+    const int axis = longest_axis(in.centres);
+    return split_at(items, count, axis, along(aabb_centre(in.centres), axis)) % count;
 }
 
 // ---- bins --------------------------------------------------------------------------
@@ -108,14 +102,14 @@ static real plane_of(slices s, candidate c) {
     return along(s.centres.min, c.axis) + (real)c.slice / along(s.per_length, c.axis);
 }
 
-int split_by_bins(bvh_item *items, int count, aabb box, bvh_options how) {
-    const slices s = slices_of(items_centres(items, count), bins_for(count, how));
+int split_by_bins(bvh_item *items, int count, extent in, bvh_options how) {
+    const slices s = slices_of(in.centres, bins_for(count, how));
     bin bins[3][BVH_BINS];
     fill_bins(bins, items, count, s);
     candidate best = {count <= how.leaf_size ? (real)C_HIT * (real)count : INFINITY, -1, 0};
     for (int axis = 0; axis < 3; axis++)
         if (along(s.per_length, axis) > 0)
-            best = cheapest(bins[axis], s.count, box, axis, best);
+            best = cheapest(bins[axis], s.count, in.box, axis, best);
     if (best.axis < 0) return 0;
     return split_at(items, count, best.axis, plane_of(s, best)) % count;
 }

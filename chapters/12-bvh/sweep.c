@@ -42,13 +42,13 @@ static candidate cheapest(const bvh_item *items, int count, aabb *right, aabb bo
     return best;
 }
 
-int split_by_sweep(bvh_item *items, int count, aabb box, bvh_options how) {
+int split_by_sweep(bvh_item *items, int count, extent in, bvh_options how) {
     aabb *right = malloc((size_t)count * sizeof *right);
     if (!right) die(EXIT_RUN, "no memory to divide %d triangles", count);
     candidate best = {count <= how.leaf_size ? (real)C_HIT * (real)count : INFINITY, -1, 0};
     for (int axis = 0; axis < 3; axis++) {
         sort(items, count, axis);
-        best = cheapest(items, count, right, box, axis, best);
+        best = cheapest(items, count, right, in.box, axis, best);
     }
     free(right);
     if (best.axis < 0) return 0;
