@@ -57,9 +57,9 @@ typedef struct {
     vec3 O, d;
     vec3 inverse; // 1 / d; infinite where d is 0, with its sign
     real near_scale[3], near_offset[3], far_scale[3], far_offset[3];
-    size_t near[3],
-        far[3]; // which of a box's six numbers, min.x min.y min.z max.x max.y max.z,
-                // the ray meets first and last along x, y, z
+    // Which of a box's six numbers, min.x min.y min.z max.x max.y max.z, the ray meets first
+    // and last along x, y, z.
+    size_t near[3], far[3];
 } slab_ray;
 
 static inline vec3 reciprocal(vec3 d) {
@@ -110,10 +110,11 @@ static inline real times_plus(real a, real b, real c) {
 }
 
 // Exercise: exercises/12-bvh/aabb_hit.c
-// Does the ray meet the box at any t in [t_min, t_max], 0 <= t_min? Then *enter is where, at
-// least t_min. Never misses what an exact test would hit, also in a face, along an edge, with
-// d = ±0 and in flat boxes: it may hit boxes that the ray passes within a few roundings.
-// t_max may be INFINITY. False for an empty box. Sources: Williams et al. 2005; Ize 2013.
+// Does the ray meet the box at any t in [t_min, t_max], 0 <= t_min? Then *enter is where it
+// comes in, or less by a few roundings, never more; but at least t_min. Never misses what an
+// exact test would hit, also in a face (up to t = 1e12), along an edge, with d = ±0 and in flat
+// boxes: it may hit boxes that the ray passes within a few roundings. t_max may be INFINITY.
+// False for an empty box. Sources: Williams et al. 2005; Ize 2013.
 bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *enter);
 
 #endif
