@@ -66,8 +66,13 @@ static inline vec3 reciprocal(vec3 d) {
     return (vec3){1 / d.x, 1 / d.y, 1 / d.z};
 }
 
-static inline real not_zero(real d) {
-    return d == 0 ? copysign((real)0x1p-80, d) : d;
+static inline real longest_of(vec3 d) {
+    const vec3 a = absolute(d);
+    return greater(a.x, greater(a.y, a.z));
+}
+
+static inline real not_zero(real d, real least) {
+    return d == 0 ? copysign(least, d) : d;
 }
 
 // O moved along d, by what rounding may make of O and of products with it; where O is 0, by a
@@ -79,13 +84,15 @@ static inline vec3 shifted(vec3 O, vec3 d) {
                   O.z + copysign(least + share * fabs(O.z), d.z)};
 }
 
-// t = s / d - O / d is infinity less infinity where d is 0. There d is taken as 2^-80: a ray
-// along a face of a box then stays in it until t = 1e-12 / 2^-80 = 1e12 at least. A scale has
-// two roundings, its product with s and the sum two more.
+// t = s / d - O / d is infinity less infinity where d is 0. There d is taken as 2^-80 of
+// its longest component: a ray along a face of a box then stays in it for a length of 1e-12
+// 2^80, 1e12. A scale has two roundings, its product with s and the sum two more.
 static inline slab_ray slab_ray_of(ray r) {
     const size_t x = signbit(r.d.x) ? 3 : 0, y = signbit(r.d.y) ? 3 : 0,
                  z = signbit(r.d.z) ? 3 : 0;
-    const vec3 inverse = reciprocal((vec3){not_zero(r.d.x), not_zero(r.d.y), not_zero(r.d.z)});
+    const real least = (real)0x1p-80 * longest_of(r.d);
+    const vec3 inverse = reciprocal(
+        (vec3){not_zero(r.d.x, least), not_zero(r.d.y, least), not_zero(r.d.z, least)});
     const vec3 early = scale(1 - 2 * rounding_bound(4), inverse),
                late = scale(1 + 2 * rounding_bound(4), inverse);
     const vec3 start = mul(shifted(r.O, r.d), early), end = mul(shifted(r.O, neg(r.d)), late);
