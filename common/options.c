@@ -118,7 +118,10 @@ static void print_default(const option *o, const options *d) {
 }
 
 static void help(const char *path, const program *about, const options *defaults) {
-    printf("%s: %s\n\nusage: %s [options]\n", about->name, about->summary, path);
+    const bool file = about->uses & USES_FILE;
+    printf("%s: %s\n\nusage: %s [options]%s\n", about->name, about->summary, path,
+           file ? " [FILE]" : "");
+    if (file) printf("  %-22s  %s\n", "FILE", about->file);
     for (int i = 0; i < COUNT(table); i++) {
         const option *o = &table[i];
         if (!has(about, o->id)) continue;
@@ -177,6 +180,15 @@ static const option *find(const char *argument, const program *about) {
         argument[0] == '-' ? "unknown option" : "unexpected argument", (int)length, argument);
 }
 
+// Is it the program's FILE? What begins with - is none: ./-name is.
+static bool takes_file(const char *argument, const program *about, options *result) {
+    if (!(about->uses & USES_FILE) || argument[0] == '-' || !argument[0]) return false;
+    if (result->file)
+        die(EXIT_USAGE, "one file at most: got \"%s\" and \"%s\"", result->file, argument);
+    result->file = argument;
+    return true;
+}
+
 static void set_threads(int threads) {
 #ifdef _OPENMP
     if (threads > 0) omp_set_num_threads(threads);
@@ -190,6 +202,7 @@ options options_parse(int argc, char **argv, const program *about) {
     if (about->shows && !result.show) result.show = about->shows[0].name;
     const options defaults = result;
     for (int i = 1; i < argc; i++) {
+        if (takes_file(argv[i], about, &result)) continue;
         const option *o = find(argv[i], about);
         const char *equals = strchr(argv[i], '=');
         if (!o->value && equals)

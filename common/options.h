@@ -11,6 +11,7 @@ enum { // which options a program has; --out and --help always
     USES_SEED = 8,
     USES_PREVIEW = 16,
     USES_THREADS = 32,
+    USES_FILE = 64, // one argument that is no option
 };
 
 typedef struct {
@@ -22,6 +23,7 @@ typedef struct {
     bool preview;      // --preview         draw in the terminal while it renders
     const char *out;   // --out x.png|x.pfm
     const char *show;  // --show NAME       which of the program's pictures
+    const char *file;  // FILE              not checked; NULL: not given
 } options;
 
 typedef struct {
@@ -34,10 +36,11 @@ typedef struct {
     int uses;            // USES_SIZE | ...
     options defaults;    // .out: the file's name when --out is missing
     const choice *shows; // the pictures for --show, the first is the default; or NULL
+    const char *file;    // USES_FILE: what FILE is, for --help
 } program;
 
 // Reads the command line. --help prints and exits 0; anything unknown, missing
-// or out of range gives one line on stderr and exits with EXIT_USAGE.
+// or out of range, and a second FILE, gives one line on stderr and exits with EXIT_USAGE.
 // The output path is checked too (image_check_path). Sets the number of threads.
 options options_parse(int argc, char **argv, const program *about);
 

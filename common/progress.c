@@ -46,7 +46,7 @@ static void make_cells(progress *p) {
 
 progress progress_start(const char *what, long total, const image *preview) {
     const double now = clock_seconds();
-    progress p = {.what = what, .total = total, .start = now, .shown = now};
+    progress p = {.what = what, .unit = "rays", .total = total, .start = now, .shown = now};
     p.terminal = is_terminal();
     p.preview = p.terminal ? preview : NULL;
     if (p.preview) make_cells(&p);
@@ -138,8 +138,8 @@ static void describe(const progress *p, char *text, size_t size) {
     char rate[32], left[32] = "?";
     print_scaled(rate, sizeof rate, speed);
     if (done > 0) print_time(left, sizeof left, (double)(p->total - done) / speed);
-    snprintf(text, size, "%s: %3.0f %%, %s rays/s, %s left", p->what, floor(100 * share), rate,
-             left);
+    snprintf(text, size, "%s: %3.0f %%, %s %s/s, %s left", p->what, floor(100 * share), rate,
+             p->unit, left);
 }
 
 // In one piece, so that nothing flickers. The cursor stays at the line's start:
@@ -181,8 +181,8 @@ void progress_end(progress *p) {
     const long done = atomic_load(&p->done);
     char text[MAX_LINE], rate[32];
     print_scaled(rate, sizeof rate, rays_per_second(done, seconds));
-    snprintf(text, sizeof text, "%s: %ld rays in %.2f s, %s rays/s", p->what, done, seconds,
-             rate);
+    snprintf(text, sizeof text, "%s: %ld %s in %.2f s, %s %s/s", p->what, done, p->unit,
+             seconds, rate, p->unit);
     if (p->terminal)
         draw(p, text, "\n");
     else

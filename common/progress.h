@@ -11,7 +11,8 @@
 typedef struct {
     const char *what;     // "04-sphere"
     const image *preview; // drawn while it renders, or NULL
-    long total;           // rays, or any other unit of work
+    const char *unit;     // of the work: "rays" unless set
+    long total;           // so many of them
     atomic_long done;
     double start, shown; // seconds
     bool terminal;

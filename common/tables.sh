@@ -66,6 +66,7 @@ function escape(text) { # what would end a cell or begin a tag
 
 function error_cell(e) {
     if (e == "" || e ~ /inf/) return e
+    if (error_name ~ / per (ray|line|triangle)$/) return short(e) # a count
     return e + 0 == 0 ? "0" : sprintf("%.1e", e)
 }
 

@@ -222,6 +222,18 @@ static void parse_words(void) {
     options_parse(words[1] ? 3 : 2, argv, &about);
 }
 
+// The same for a program that takes a file.
+static options parse_file(int argc, const char *const *argv) {
+    const program about = {.name = "test",
+                           .summary = "A test.",
+                           .uses = USES_SAMPLES | USES_FILE,
+                           .defaults = {.samples = 1},
+                           .file = "a mesh"};
+    char *copy[8];
+    for (int i = 0; i < argc; i++) copy[i] = (char *)argv[i];
+    return options_parse(argc, copy, &about);
+}
+
 static void refuses(const char *option, const char *value, const char *says, int status) {
     words[0] = option, words[1] = value;
     const ending e = end_of(parse_words);
@@ -245,6 +257,51 @@ static void bad_options(void) {
         {"--samples", NULL, "--samples"},  {"--out", "picture.jpg", ".png"},
     };
     for (int i = 0; i < COUNT(rows); i++) refuses(rows[i][0], rows[i][1], rows[i][2], 2);
+}
+
+static void one_file(void) {
+    static const char *const last[] = {"test", "--samples", "7", "a=b.obj"},
+                             *const first[] = {"test", "./-x", "--samples=7"},
+                             *const none[] = {"test", "--samples", "7"};
+    given("--samples 7 a=b.obj;  ./-x --samples=7;  --samples 7");
+    const options a = parse_file(4, last), b = parse_file(3, first), c = parse_file(3, none);
+    CHECK(a.file == last[3] && a.samples == 7, "the last word is the file, = or not");
+    CHECK(b.file == first[1] && b.samples == 7, "the first word is, since it begins with .");
+    CHECK(c.file == NULL && c.samples == 7, "7 is --samples' value and no file");
+}
+
+static void parse_two_files(void) {
+    static const char *const two[] = {"test", "a.obj", "b.obj"};
+    parse_file(3, two);
+}
+static void parse_dash(void) {
+    static const char *const dash[] = {"test", "-a.obj"};
+    parse_file(2, dash);
+}
+static void parse_empty(void) {
+    static const char *const empty[] = {"test", ""};
+    parse_file(2, empty);
+}
+static void parse_file_help(void) {
+    static const char *const help[] = {"test", "--help"};
+    parse_file(2, help);
+}
+
+static void bad_files(void) {
+    static const struct {
+        void (*parse)(void);
+        const char *says;
+        int status;
+    } rows[] = {{parse_two_files, "\"a.obj\" and \"b.obj\"", 2},
+                {parse_dash, "unknown option \"-a.obj\"", 2},
+                {parse_empty, "unexpected argument \"\"", 2},
+                {parse_file_help, "[FILE]\n  FILE                    a mesh", 0}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        const ending e = end_of(rows[i].parse);
+        given("a program that takes a file said: %s", e.said);
+        CHECK_INT(e.status, rows[i].status);
+        CHECK(strstr(e.said, rows[i].says) != NULL, "it says so");
+    }
 }
 
 static void bad_paths(void) {
@@ -302,6 +359,8 @@ int main(void) {
         {"image: a failure leaves the old picture", old_picture_stays, NULL},
         {"options: bad values give one line and exit 2", bad_options, NULL},
         {"options: bad paths give one line and exit 1", bad_paths, NULL},
+        {"options: one file", one_file, NULL},
+        {"options: two files, -file, an empty one, and help", bad_files, NULL},
         {"options: help", help, NULL},
     };
     return run_tests("common", tests, COUNT(tests));

@@ -103,7 +103,10 @@ bvh bvh_build(const mesh *m, bvh_options how) {
     if (tree.count > 0) {
         progress shown;
         const bool large = tree.count > 1000000;
-        if (large) shown = progress_start("building the tree", tree.count, NULL);
+        if (large) {
+            shown = progress_start("building the tree", tree.count, NULL);
+            shown.unit = "triangles";
+        }
         tree.nodes = room_for(2 * tree.count, sizeof *tree.nodes);
         tree.node_count = 2;
         const builder b = {&tree, items, how, function_of(how.rule), large ? &shown : NULL};
