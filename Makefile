@@ -20,6 +20,7 @@
 #: make seeds-09    one chapter's tests on its solutions with N=100 different seeds
 #: make soak        N=1e8 rays through the pictures of chapters 09 to 11: are all samples light?
 #: make fuzz        mutated texts through the OBJ reader for SECONDS=60; needs clang with libFuzzer
+#: make leaks       N=1e8 rays at the edges and corners of closed meshes: does one leak?
 #: make check       tests, stubs, wrong answers, texts, pictures, staircase, format
 #: make texts       renew the measured tables and the pictures in the texts
 #: make format      lay out all C code
@@ -243,6 +244,9 @@ FUZZED = tests/tools/fuzz_obj.c $(wildcard common/*.c chapters/12-bvh/obj*.c) $(
 .PHONY: fuzz
 fuzz:
 	@sh tests/tools/fuzz.sh "$(or $(SECONDS),60)" $B/fuzz_obj $(FUZZ_CC) $(STRICT) -Wno-unknown-pragmas $(STB_CFLAGS) $(FUZZED)
+.PHONY: leaks
+leaks: $B/test/12-bvh
+	@LEAK_RAYS=$(or $N,1e8) TEST_SECONDS=86400 T="bvh_nearest: no leak" $<
 
 texts: error-tables $(CHAPTERS:%=$B/%) $B/same_picture
 	@sh tests/tools/texts.sh renew $(CHAPTERS)

@@ -41,8 +41,8 @@ static inline real aabb_area(aabb a) {
     return e.x < 0 ? 0 : 2 * (e.x * e.y + e.y * e.z + e.z * e.x);
 }
 
-static inline vec3 aabb_centre(aabb a) {
-    return scale((real)0.5, add(a.min, a.max));
+static inline vec3 aabb_centre(aabb a) { // halved first: the sum might overflow
+    return add(scale((real)0.5, a.min), scale((real)0.5, a.max));
 }
 
 // The component of v along an axis: 0, 1, 2 are x, y, z.

@@ -1,4 +1,5 @@
 // build.c: from a heap of triangles to a tree.
+#include <limits.h>
 #include <stdlib.h>
 
 #include "chapters/12-bvh/split.h"
@@ -98,6 +99,8 @@ static void keep_order(bvh *tree, const bvh_item *items) {
 
 bvh bvh_build(const mesh *m, bvh_options how) {
     bvh tree = {.m = m, .test = how.test};
+    if (m->count >= INT_MAX / 2)
+        die(EXIT_RUN, "%d triangles are too many for a tree", m->count);
     bvh_item *items = room_for(m->count + 1, sizeof *items);
     tree.count = finite_items(m, items);
     if (tree.count > 0) {
@@ -108,6 +111,7 @@ bvh bvh_build(const mesh *m, bvh_options how) {
             shown.unit = "triangles";
         }
         tree.nodes = room_for(2 * tree.count, sizeof *tree.nodes);
+        tree.nodes[1] = (bvh_node){aabb_empty, 0, 0};
         tree.node_count = 2;
         const builder b = {&tree, items, how, function_of(how.rule), large ? &shown : NULL};
         make_node(&b, 0, 0, tree.count, items_extent(items, tree.count), 0);

@@ -74,9 +74,10 @@ typedef struct {
 } bvh_figures;
 bvh_figures bvh_measure(const bvh *b);
 
-// Is everything true that a tree promises? NULL, or what is not, in words: every triangle of
-// the mesh in exactly one leaf, boxes that hold their contents and are tight, no node with
-// one child, siblings within the array, no leaf deeper than BVH_DEPTH.
+// Is everything true that a tree promises? NULL, or what is not, in words: every finite triangle
+// of the mesh in exactly one leaf, copied as it is; boxes that hold their contents and are tight;
+// two children to every inner node, in pairs, depth first, none unused; no leaf deeper than
+// BVH_DEPTH. Of any contents of the arrays; only the counts must be those of the arrays.
 const char *bvh_flaw(const bvh *b);
 
 // ---- building ----------------------------------------------------------------------
@@ -99,7 +100,7 @@ int split_at(bvh_item *items, int count, int axis, real middle);
 
 // The expected cost of a node with the box `box` whose n_l and n_r triangles go into the boxes
 // l and r: C_step + C_hit (n_l A_l + n_r A_r) / A. The slide's c, in units in which
-// it can be compared with n C_hit, a leaf's. A > 0.
+// it can be compared with n C_hit, a leaf's. A > 0; without area any number, or NaN.
 enum { C_STEP = 1, C_HIT = 1 };
 real sah_cost(aabb box, int n_l, aabb l, int n_r, aabb r);
 
@@ -113,7 +114,7 @@ triangle_point bvh_nearest(const bvh *b, ray r, real t_min, real t_max, int *ind
 bool bvh_any(const bvh *b, ray r, real t_min, real t_max, effort *spent);
 
 // New boxes for the same tree after the mesh's points have moved. The mesh has the same
-// triangles; b's copies of them are renewed too.
+// triangles, and those in the tree are still finite; b's copies of them are renewed too.
 void bvh_refit(bvh *b);
 
 #endif

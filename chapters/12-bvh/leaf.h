@@ -35,9 +35,10 @@ static inline triangle_point leaf_test(const triangle *T, triangle_test test, ra
     return triangle_hit(*T, r, t_min, t_max);
 }
 
-// A number above t > 0, by one or two steps.
+// A little more than t: what is as near as t lies before it. In float a step or two would do; in
+// double the t of two triangles at one edge differ by some roundings of their own.
 static inline real just_above(real t) {
-    return t * (1 + REAL_EPSILON) + REAL_MIN * REAL_EPSILON;
+    return t * (1 + rounding_bound(16)) + REAL_MIN * REAL_EPSILON;
 }
 
 // All triangles of a leaf: what is nearer than found->best takes its place.

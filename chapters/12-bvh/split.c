@@ -103,6 +103,7 @@ static real plane_of(slices s, candidate c) {
 }
 
 int split_by_bins(bvh_item *items, int count, extent in, bvh_options how) {
+    if (!is_finite(sub(in.centres.max, in.centres.min))) return 0; // wider than real's range
     const slices s = slices_of(in.centres, bins_for(count, how));
     bin bins[3][BVH_BINS];
     fill_bins(bins, items, count, s);
