@@ -41,27 +41,35 @@ static inline real just_above(real t) {
     return t * (1 + rounding_bound(16)) + REAL_MIN * REAL_EPSILON;
 }
 
-// All triangles of a leaf: what is nearer than found->best takes its place.
-static inline void leaf_nearest(const bvh *b, triangle_test test, const bvh_node *leaf,
-                                const slab_ray *s, real t_min, bvh_found *found,
-                                effort *spent) {
+// All triangles of a leaf: what is nearer than found->best takes its place. With the test named
+// where it is called, a walk can be compiled for just that test.
+static inline void leaf_nearest_by(triangle_test test, const bvh *b, const bvh_node *leaf,
+                                   ray r, real t_min, bvh_found *found, effort *spent) {
     if (spent) spent->tests += leaf->count;
     for (int i = leaf->first; i < leaf->first + leaf->count; i++) {
-        const triangle_point q =
-            leaf_test(&b->triangles[i], test, (ray){s->O, s->d}, t_min, found->limit);
+        const triangle_point q = leaf_test(&b->triangles[i], test, r, t_min, found->limit);
         if (q.t < found->best.t || (q.t == found->best.t && b->order[i] < found->index))
             *found = (bvh_found){q, b->order[i], just_above(q.t)};
     }
 }
 
+static inline void leaf_nearest(const bvh *b, const bvh_node *leaf, ray r, real t_min,
+                                bvh_found *found, effort *spent) {
+    leaf_nearest_by(b->test, b, leaf, r, t_min, found, spent);
+}
+
 // Is any triangle of a leaf hit?
-static inline bool leaf_any(const bvh *b, triangle_test test, const bvh_node *leaf,
-                            const slab_ray *s, real t_min, real t_max, effort *spent) {
+static inline bool leaf_any_by(triangle_test test, const bvh *b, const bvh_node *leaf, ray r,
+                               real t_min, real t_max, effort *spent) {
     if (spent) spent->tests += leaf->count;
     for (int i = leaf->first; i < leaf->first + leaf->count; i++)
-        if (leaf_test(&b->triangles[i], test, (ray){s->O, s->d}, t_min, t_max).t != NO_HIT)
-            return true;
+        if (leaf_test(&b->triangles[i], test, r, t_min, t_max).t != NO_HIT) return true;
     return false;
+}
+
+static inline bool leaf_any(const bvh *b, const bvh_node *leaf, ray r, real t_min, real t_max,
+                            effort *spent) {
+    return leaf_any_by(b->test, b, leaf, r, t_min, t_max, spent);
 }
 
 #endif

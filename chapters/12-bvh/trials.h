@@ -85,7 +85,7 @@ static bool left_first(const bvh *b, ray r, effort *spent) {
         if (spent) spent->steps++;
         if (!aabb_hit(&n->box, &s, 0, found.limit, &enter)) continue;
         if (n->count) {
-            leaf_nearest(b, b->test, n, &s, 0, &found, spent);
+            leaf_nearest(b, n, r, 0, &found, spent);
         } else {
             stack[top++] = n->first + 1;
             stack[top++] = n->first;

@@ -1,13 +1,13 @@
 #include "chapters/12-bvh/leaf.h"
 
 // Nothing gets shorter here: the first hit is the answer. It is found sooner in the nearer box.
-static inline bool any(const bvh *b, triangle_test test, const slab_ray *s, real t_min,
+static inline bool any(triangle_test test, const bvh *b, const slab_ray *s, real t_min,
                        real t_max, effort *spent) {
     int stack[BVH_DEPTH], *top = stack;
     real t_left, t_right;
     for (const bvh_node *n = b->nodes;;) {
         if (n->count) {
-            if (leaf_any(b, test, n, s, t_min, t_max, spent)) return true;
+            if (leaf_any_by(test, b, n, (ray){s->O, s->d}, t_min, t_max, spent)) return true;
         } else {
             const bvh_node *left = &b->nodes[n->first], *right = left + 1;
             if (spent) spent->steps += 2;
@@ -40,6 +40,6 @@ static inline bool any(const bvh *b, triangle_test test, const slab_ray *s, real
 bool bvh_any(const bvh *b, ray r, real t_min, real t_max, effort *spent) {
     const slab_ray s = slab_ray_of(r);
     if (!b->count) return false;
-    if (b->test == TEST_PLAIN) return any(b, TEST_PLAIN, &s, t_min, t_max, spent);
-    return any(b, TEST_WATERTIGHT, &s, t_min, t_max, spent);
+    if (b->test == TEST_PLAIN) return any(TEST_PLAIN, b, &s, t_min, t_max, spent);
+    return any(TEST_WATERTIGHT, b, &s, t_min, t_max, spent);
 }

@@ -6,14 +6,14 @@ typedef struct {
     real t;
 } waiting;
 
-static inline bvh_found nearest(const bvh *b, triangle_test test, const slab_ray *s, real t_min,
+static inline bvh_found nearest(triangle_test test, const bvh *b, const slab_ray *s, real t_min,
                                 real t_max, effort *spent) {
     bvh_found found = bvh_nothing_found(t_max);
     waiting stack[BVH_DEPTH], *top = stack;
     real t_left, t_right;
     for (const bvh_node *n = b->nodes;;) {
         if (n->count) {
-            leaf_nearest(b, test, n, s, t_min, &found, spent);
+            leaf_nearest_by(test, b, n, (ray){s->O, s->d}, t_min, &found, spent);
         } else {
             const bvh_node *left = &b->nodes[n->first], *right = left + 1;
             if (spent) spent->steps += 2;
@@ -51,8 +51,8 @@ triangle_point bvh_nearest(const bvh *b, ray r, real t_min, real t_max, int *ind
     const slab_ray s = slab_ray_of(r);
     if (!b->count) return (triangle_point){NO_HIT, 0, 0};
     const bvh_found found = b->test == TEST_PLAIN
-                                ? nearest(b, TEST_PLAIN, &s, t_min, t_max, spent)
-                                : nearest(b, TEST_WATERTIGHT, &s, t_min, t_max, spent);
+                                ? nearest(TEST_PLAIN, b, &s, t_min, t_max, spent)
+                                : nearest(TEST_WATERTIGHT, b, &s, t_min, t_max, spent);
     if (found.index >= 0) *index = found.index;
     return found.best;
 }
