@@ -641,31 +641,31 @@ static void obj_splits(void) {
 // Every corner of every triangle keeps the point and the normal that the file gives it, and no
 // two points of the mesh are the same pair.
 static void obj_splits_at_random(void) {
-    enum { POINTS = 60, NORMALS = 40, FACES = 3000 };
+    enum { POINT_COUNT = 60, NORMAL_COUNT = 40, FACES = 3000 };
     static int p[FACES][3], n[FACES][3];
     rng g = check_rng(1206);
     obj_draft d = {0};
-    vec3 points[POINTS], normals[NORMALS];
-    for (int i = 0; i < POINTS; i++) {
+    vec3 points[POINT_COUNT], normals[NORMAL_COUNT];
+    for (int i = 0; i < POINT_COUNT; i++) {
         points[i] = in_cube(&g);
         obj_put(&d, "v %.17g %.17g %.17g\n", ARG(points[i]));
     }
-    for (int i = 0; i < NORMALS; i++) {
+    for (int i = 0; i < NORMAL_COUNT; i++) {
         normals[i] = generic_unit(&g);
         obj_put(&d, "vn %.17g %.17g %.17g\n", ARG(normals[i]));
     }
     for (int i = 0; i < FACES; i++) {
         obj_put(&d, "f");
         for (int k = 0; k < 3; k++) {
-            p[i][k] = (int)(rng_bits(&g) % (POINTS / 3)) + k * POINTS / 3;
-            n[i][k] = (int)(rng_bits(&g) % NORMALS);
+            p[i][k] = (int)(rng_bits(&g) % (POINT_COUNT / 3)) + k * POINT_COUNT / 3;
+            n[i][k] = (int)(rng_bits(&g) % NORMAL_COUNT);
             obj_put(&d, " %d//%d", p[i][k] + 1, n[i][k] + 1);
         }
         obj_put(&d, "\n");
     }
     obj_result r = obj_of_draft(&d);
     CHECK_INT(r.m.count, FACES);
-    static int seen[POINTS][NORMALS]; // index in the mesh + 1
+    static int seen[POINT_COUNT][NORMAL_COUNT]; // index in the mesh + 1
     int pairs = 0;
     for (int i = 0; i < FACES; i++)
         for (int k = 0; k < 3; k++) {

@@ -1,0 +1,17 @@
+// Wrong: only the exits are made later, by themselves: *enter may be beyond t_max, or beyond a hit.
+// Expect: Entry and exit are nearly equal, and both are rounded
+#include "chapters/12-bvh/aabb.h"
+
+#define LATER (1 + 2 * rounding_bound(3))
+
+bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *enter) {
+    const real *side = &box->min.x;
+    const real near_x = (side[r->near[0]] - r->O.x) * r->inverse.x,
+               near_y = (side[r->near[1]] - r->O.y) * r->inverse.y,
+               near_z = (side[r->near[2]] - r->O.z) * r->inverse.z;
+    const real far_x = (side[r->far[0]] - r->O.x) * r->inverse.x,
+               far_y = (side[r->far[1]] - r->O.y) * r->inverse.y,
+               far_z = (side[r->far[2]] - r->O.z) * r->inverse.z;
+    *enter = greater(near_z, greater(near_y, greater(near_x, t_min)));
+    return *enter <= lesser(LATER * far_z, lesser(LATER * far_y, lesser(LATER * far_x, t_max)));
+}
