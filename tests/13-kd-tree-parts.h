@@ -1,0 +1,435 @@
+// 13-kd-tree-parts.h: the part of 13-kd-tree.c about one plane: the order of the children, the
+// sides of a primitive, the cost, the bounds of what is in a cell.
+#ifndef TESTS_13_KD_TREE_PARTS_H
+#define TESTS_13_KD_TREE_PARTS_H
+
+#include "chapters/13-kd-tree/kd_tree.h"
+#include "common/exact3.h"
+#include "tests/check-generic.h"
+#include "tests/check.h"
+
+// ---- kd_children -------------------------------------------------------------------------
+
+// Three roundings stand behind t, and KD_LATER allows six more.
+static const double t_slack = 8 * (double)REAL_EPSILON;
+static const char *const t_why = "spans may reach further by a few roundings (8 REAL_EPSILON)";
+
+typedef struct {
+    span below, above;
+    int first;
+} sides_of_ray;
+
+static bool visited(span s) {
+    return s.t0 <= s.t1;
+}
+
+static sides_of_ray asked(real split, real O, real d, span in) {
+    const kd_order o = kd_children(split, O, 1 / d, in);
+    return (sides_of_ray){o.first ? o.far : o.near, o.first ? o.near : o.far, o.first};
+}
+
+static void given_plane(real split, real O, real d, span in) {
+    given("the plane at %.9g; along its axis O = %.9g, d = %.9g; in the cell for t = %.9g to "
+          "%.9g",
+          (double)split, (double)O, (double)d, (double)in.t0, (double)in.t1);
+}
+
+#define NEAR_PART "kd_children(plane, O, 1 / d, in).near"
+#define FAR_PART "kd_children(plane, O, 1 / d, in).far"
+
+// Both children, the one below first (0) or the one above (1), parted at t.
+static void check_both(real split, real O, real d, span in, int first, double t) {
+    const kd_order o = kd_children(split, O, 1 / d, in);
+    given_plane(split, O, d, in);
+    suspect_value("the order of another ray: which child does it come to first?", 1 - first);
+    check_int(__FILE__, __LINE__, "kd_children(plane, O, 1 / d, in).first", o.first, first);
+    check_real(__FILE__, __LINE__, NEAR_PART ".t0", (double)o.near.t0, (double)in.t0,
+               exactly());
+    check_real(__FILE__, __LINE__, FAR_PART ".t1", (double)o.far.t1, (double)in.t1, exactly());
+    suspect_value("minus t: (plane - O) / d", -t);
+    suspect_value("the end of the cell: the near part ends at the plane", (double)in.t1);
+    check_real(__FILE__, __LINE__, NEAR_PART ".t1", (double)o.near.t1, t,
+               relative_to(t_slack, t_why));
+    given_plane(split, O, d, in);
+    suspect_value("the start in the cell: the far part begins at the plane", (double)in.t0);
+    check_real(__FILE__, __LINE__, FAR_PART ".t0", (double)o.far.t0, t,
+               relative_to(t_slack, t_why));
+}
+
+static void children_by_hand(void) {
+    check_both(3, 1, 0.5f, (span){1, 10}, 0, 4);
+    check_both(3, 5, -0.5f, (span){1, 10}, 1, 4);
+    check_both(-2, -7, 2, (span){0, 3}, 0, 2.5);
+    check_both(-2, 6, -4, (span){0.5f, 3}, 1, 2);
+}
+
+// Only one child, below (0) or above (1), for all of the span.
+static void check_one(real split, real O, real d, span in, int which, const char *why) {
+    const sides_of_ray s = asked(split, O, d, in);
+    const span yes = which ? s.above : s.below, no = which ? s.below : s.above;
+    given("the plane at %.9g; along its axis O = %.9g, d = %.9g; in the cell for t = %.9g to "
+          "%.9g\n%s",
+          (double)split, (double)O, (double)d, (double)in.t0, (double)in.t1, why);
+    CHECK(yes.t0 <= in.t0 && yes.t1 >= in.t1,
+          which ? "the whole span is above the plane" : "the whole span is below the plane");
+    CHECK(!visited(no), which ? "nothing of it is below" : "nothing of it is above");
+}
+
+static void children_one(void) {
+    const span in = {1, 10};
+    check_one(3, 1, 0.125f, in, 0, "the plane is met behind the cell, at t = 16");
+    check_one(3, 5, -0.125f, in, 1, "the plane is met behind the cell, at t = 16");
+    check_one(3, 1, 4, in, 1, "the plane is met before the cell, at t = 0.5");
+    check_one(3, 5, -4, in, 0, "the plane is met before the cell, at t = 0.5");
+    check_one(3, 5, 0.5f, in, 1, "the plane lies behind O, at t = -4: O's side is not below");
+    check_one(3, 1, -0.5f, in, 0, "the plane lies behind O, at t = -4: O's side is not above");
+}
+
+static void children_along(void) {
+    const span in = {1, 10};
+    for (int i = 0; i < 2; i++) {
+        const real d = i ? -(real)0.0 : (real)0.0;
+        check_one(3, 1, d, in, 0, "along the plane, below it");
+        check_one(3, 5, d, in, 1, "along the plane, above it");
+        const sides_of_ray s = asked(3, 3, d, in);
+        given_plane(3, 3, d, in);
+        CHECK(s.below.t0 <= in.t0 && s.below.t1 >= in.t1 && s.above.t0 <= in.t0 &&
+                  s.above.t1 >= in.t1,
+              "a ray in the plane is in both children all the way");
+    }
+}
+
+// From the plane itself: at t > 0 it is on one side only.
+static void children_on_plane(void) {
+    for (int i = 0; i < 2; i++) {
+        const real d = i ? (real)-0.3 : (real)0.3;
+        const sides_of_ray s = asked((real)1.7, (real)1.7, d, (span){0, 9});
+        const span yes = i ? s.below : s.above, no = i ? s.above : s.below;
+        given_plane((real)1.7, (real)1.7, d, (span){0, 9});
+        CHECK(yes.t0 <= 0 && yes.t1 >= 9, "from t = 0 on it is on the side that d points to");
+        CHECK(!visited(no) || no.t1 <= 0, "and at no t > 0 on the other");
+    }
+}
+
+// The reference: where is O + t d <= split, where >=, without rounding.
+static void check_spans(real split, real O, real d, span in) {
+    const exact t = ((exact)split - O) / d;
+    const exact t0 = in.t0, t1 = in.t1, slack = t_slack;
+    const sides_of_ray s = asked(split, O, d, in);
+    const span early = d > 0 ? s.below : s.above, late = d > 0 ? s.above : s.below;
+    given_plane(split, O, d, in);
+    if (t >= t0) {
+        const exact end = t < t1 ? t : t1;
+        CHECK(early.t0 <= in.t0 && early.t1 >= end,
+              "the part before the plane is not cut short");
+    } else {
+        CHECK(!visited(early) || t >= t0 * (1 - slack), "the part before the plane is empty");
+    }
+    if (t <= t1) {
+        const exact begin = t > t0 ? t : t0;
+        CHECK(late.t0 <= begin && late.t1 >= in.t1,
+              "the part behind the plane is not cut short");
+    } else {
+        CHECK(!visited(late) || t <= t1 * (1 + slack), "the part behind the plane is empty");
+    }
+    if (visited(early) && t < t1)
+        CHECK(early.t1 <= t * (1 + slack), "the part before the plane ends at it");
+    if (visited(late) && t > t0)
+        CHECK(late.t0 >= t * (1 - slack), "the part behind the plane begins at it");
+    if (t > t0 * (1 + slack) && t < t1 * (1 - slack))
+        CHECK_INT(kd_children(split, O, 1 / d, in).first, d > 0 ? 0 : 1);
+}
+
+static void children_generic(void) {
+    rng g = check_rng(1301);
+    for (int i = 0; i < 200000; i++) {
+        const real size = (real)pow(10, between(&g, -4, 6));
+        const real split = (real)between(&g, -1, 1) * size, O = (real)between(&g, -1, 1) * size;
+        const real d = (real)(between(&g, -1, 1) * pow(10, between(&g, -6, 6)));
+        if (d == 0 || O == split) continue;
+        const real t = fabs((split - O) / d), a = (real)between(&g, 0, 2) * t;
+        // Cells as thin as a rounding, and cells that begin or end in the plane.
+        const real width = (real)pow(10, between(&g, -9, 1)) * t;
+        span in = {a, a + width};
+        if (i % 4 == 1) in = (span){t, t + width};
+        if (i % 4 == 2) in = (span){fmax(0, t - width), t};
+        if (i % 40 == 3) in = (span){t, t};
+        check_spans(split, O, d, in);
+    }
+}
+
+// ---- kd_sides ------------------------------------------------------------------------------
+
+static aabb slab_of(int axis, real low, real high) {
+    aabb box = {{-3, -5, -7}, {11, 13, 17}};
+    (&box.min.x)[axis] = low;
+    (&box.max.x)[axis] = high;
+    return box;
+}
+
+static void sides_by_hand(void) {
+    static const struct {
+        real low, high;
+        int sides;
+        const char *what;
+    } rows[] = {
+        {1, 2, KD_BELOW, "the box ends before the plane"},
+        {4, 6, KD_ABOVE, "the box begins behind the plane"},
+        {1, 6, KD_BELOW | KD_ABOVE, "the plane cuts the box"},
+        {1, 3, KD_BELOW, "the box touches the plane from below"},
+        {3, 6, KD_ABOVE, "the box touches the plane from above"},
+        {3, 3, KD_BELOW, "the box is flat and lies in the plane"},
+        {2, 2, KD_BELOW, "the box is flat and lies below the plane"},
+        {4, 4, KD_ABOVE, "the box is flat and lies above the plane"},
+    };
+    for (int axis = 0; axis < 3; axis++)
+        for (int i = 0; i < COUNT(rows); i++) {
+            given("the plane at 3 across axis %d; a box from %g to %g along it\n%s", axis,
+                  (double)rows[i].low, (double)rows[i].high, rows[i].what);
+            suspect_value("in no child: the primitive is lost", 0);
+            suspect_value("in both: a reference more than needed", KD_BELOW | KD_ABOVE);
+            CHECK_INT(kd_sides(slab_of(axis, rows[i].low, rows[i].high), axis, 3),
+                      rows[i].sides);
+        }
+}
+
+static void sides_generic(void) {
+    rng g = check_rng(1302);
+    for (int i = 0; i < 20000; i++) {
+        const int axis = i % 3;
+        real low = (real)between(&g, -1, 1), high = (real)between(&g, -1, 1);
+        if (low > high) {
+            const real swap = low;
+            low = high, high = swap;
+        }
+        const real split = (real)between(&g, -1, 1);
+        const int want = (low < split ? KD_BELOW : 0) | (high > split ? KD_ABOVE : 0);
+        given("the plane at %.9g across axis %d; a box from %.9g to %.9g along it",
+              (double)split, axis, (double)low, (double)high);
+        CHECK_INT(kd_sides(slab_of(axis, low, high), axis, split), want);
+    }
+}
+
+// ---- kd_cost -------------------------------------------------------------------------------
+
+static void given_cost(aabb c, int axis, real split, int below, int above, kd_options how) {
+    given("a cell from " VEC " to " VEC
+          "\nthe plane at %.9g across axis %d; %d below, %d above; "
+          "step = %.9g, bonus = %.9g",
+          ARG(c.min), ARG(c.max), (double)split, axis, below, above, (double)how.step,
+          (double)how.bonus);
+}
+
+static void cost_by_hand(void) {
+    const aabb cell = {{1, 2, 3}, {5, 8, 6}}; // sides 4, 6, 3: area 2 (24 + 18 + 12) = 108
+    const kd_options how = {.step = 0.75f, .bonus = 0.25f};
+    given_cost(cell, 0, 2, 3, 5, how); // sides 1, 6, 3: 54; sides 3, 6, 3: 90
+    suspect_value("no step", 612.0 / 108);
+    suspect_value("not divided by the area of the cell", 0.75 + 612);
+    suspect_value("the bonus, though no child is empty", 0.75 + 0.75 * 612.0 / 108);
+    suspect_value("below and above exchanged", 0.75 + 552.0 / 108);
+    suspect_value("volumes, not areas", 0.75 + (3 * 18 + 5 * 54) / 72.0);
+    CHECK_REAL(kd_cost(cell, 0, 2, 3, 5, how), 0.75 + 612.0 / 108,
+               roundings(16, "a handful of operations"));
+    given_cost(cell, 1, 4, 0, 7, how); // sides 4, 2, 3; sides 4, 4, 3: area 80
+    suspect_value("without the bonus", 0.75 + 560.0 / 108);
+    suspect_value("the bonus was added or subtracted, not multiplied",
+                  0.75 + 560.0 / 108 - 0.25);
+    suspect_value("the bonus was added or subtracted, not multiplied",
+                  0.75 + 560.0 / 108 + 0.25);
+    suspect_value("multiplied by the bonus: 1 - bonus is what is left",
+                  0.75 + 0.25 * 560 / 108);
+    suspect_value("the bonus on the step too", 0.75 * (0.75 + 560.0 / 108));
+    suspect_value("the cost grew: 1 + bonus", 0.75 + 1.25 * 560 / 108);
+    CHECK_REAL(kd_cost(cell, 1, 4, 0, 7, how), 0.75 + 0.75 * 560 / 108,
+               roundings(16, "a handful of operations"));
+}
+
+static double area_of(const double e[3]) {
+    return 2 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
+}
+
+static void cost_generic(void) {
+    rng g = check_rng(1303);
+    for (int i = 0; i < 3000; i++) {
+        const real size = (real)pow(10, between(&g, -5, 5));
+        const vec3 low = scale(size, in_cube(&g)),
+                   e = scale(size, add(in_cube(&g), (vec3){1.5f, 1.5f, 1.5f}));
+        const aabb cell = {low, add(low, e)};
+        const int axis = i % 3, below = i % 5 ? (int)between(&g, 0, 90) : 0,
+                  above = i % 7 ? (int)between(&g, 0, 9000) : 0;
+        const real split = along(low, axis) + rng_real(&g) * along(e, axis);
+        const kd_options how = {.step = (real)between(&g, 0, 2), .bonus = rng_real(&g)};
+        double part[3][3]; // the sides of the cell, below and above
+        for (int k = 0; k < 3; k++)
+            part[0][k] = part[1][k] = part[2][k] =
+                (double)along(cell.max, k) - (double)along(cell.min, k);
+        part[1][axis] = (double)split - (double)along(cell.min, axis);
+        part[2][axis] = (double)along(cell.max, axis) - (double)split;
+        const double hits =
+            (below * area_of(part[1]) + above * area_of(part[2])) / area_of(part[0]);
+        const bool empty = below == 0 || above == 0;
+        given_cost(cell, axis, split, below, above, how);
+        suspect_value("without the bonus", (double)how.step + hits);
+        suspect_value("the bonus, though no child is empty",
+                      (double)how.step + (1 - (double)how.bonus) * hits);
+        CHECK_REAL(kd_cost(cell, axis, split, below, above, how),
+                   (double)how.step + (empty ? 1 - (double)how.bonus : 1) * hits,
+                   roundings(24, "a handful of operations"));
+    }
+}
+
+// ---- kd_clip -------------------------------------------------------------------------------
+
+static void given_clip(triangle T, aabb cell) {
+    given("T = " VEC ", " VEC ", " VEC "\nthe cell from " VEC " to " VEC, ARG(T.p1), ARG(T.p2),
+          ARG(T.p3), ARG(cell.min), ARG(cell.max));
+}
+
+static bool box_is_empty(aabb a) {
+    return !(a.min.x <= a.max.x && a.min.y <= a.max.y && a.min.z <= a.max.z);
+}
+
+static allowance clip_allowance(double size) {
+    return absolute_of(64 * DBL_EPSILON * size + 2 * (double)REAL_EPSILON * size,
+                       "outwards by a few roundings of the coordinates at most");
+}
+
+static void check_clip(triangle T, aabb cell, vec3 min, vec3 max) {
+    const aabb whole = aabb_of(T);
+    const real size = fmax(length(whole.min), length(whole.max));
+    given_clip(T, cell);
+    suspect_vec3("the bounds of T itself, cut at the cell: the part of T in it is smaller",
+                 (vec3){greater(whole.min.x, cell.min.x), greater(whole.min.y, cell.min.y),
+                        greater(whole.min.z, cell.min.z)});
+    suspect_vec3("the bounds of the corners in the cell: where edges leave it is missing",
+                 whole.min);
+    CHECK_VEC3(kd_clip(T, cell).min, min, clip_allowance((double)size));
+    given_clip(T, cell);
+    suspect_vec3("the bounds of T itself, cut at the cell: the part of T in it is smaller",
+                 (vec3){lesser(whole.max.x, cell.max.x), lesser(whole.max.y, cell.max.y),
+                        lesser(whole.max.z, cell.max.z)});
+    CHECK_VEC3(kd_clip(T, cell).max, max, clip_allowance((double)size));
+}
+
+#define P(x, y, z) ((vec3){(real)(x), (real)(y), (real)(z)})
+
+static void clip_by_hand(void) {
+    const triangle T = {P(0, 0, 1), P(8, 0, 5), P(0, 4, 3)}; // z = 1 + x / 2 + y / 2
+    check_clip(T, (aabb){P(-9, -9, -9), P(9, 9, 9)}, P(0, 0, 1), P(8, 4, 5));
+    check_clip(T, (aabb){P(4, -9, -9), P(9, 9, 9)}, P(4, 0, 3), P(8, 2, 5));
+    check_clip(T, (aabb){P(-9, -9, -9), P(2, 9, 9)}, P(0, 0, 1), P(2, 4, 3.5));
+    check_clip(T, (aabb){P(1, 1, 0), P(2, 2, 9)}, P(1, 1, 2), P(2, 2, 3));
+    check_clip(T, (aabb){P(-9, -9, 4), P(9, 9, 9)}, P(4, 0, 4), P(8, 2, 5));
+    // No corner in the cell, and only one edge through it.
+    check_clip(T, (aabb){P(3, 1.5, -9), P(9, 2, 9)}, P(3, 1.5, 3.25), P(5, 2, 4.25));
+}
+
+// Near a corner of the cell the bounds of T overlap it, and T itself does not.
+static void clip_nothing(void) {
+    const triangle T = {P(0, 0, 1), P(8, 0, 5), P(0, 4, 3)};
+    const aabb outside[] = {
+        {P(6, 3, -9), P(9, 9, 9)}, {P(-9, -9, -9), P(9, 9, 0.5)}, {P(9, 9, 9), P(10, 10, 10)}};
+    for (int i = 0; i < COUNT(outside); i++) {
+        given_clip(T, outside[i]);
+        CHECK(box_is_empty(kd_clip(T, outside[i])), "no part of T is in the cell");
+    }
+}
+
+// A corner or an edge in a side of the cell, which is closed; flat triangles in one.
+static void clip_touching(void) {
+    const triangle T = {P(0, 0, 1), P(8, 0, 5), P(0, 4, 3)},
+                   flat = {P(2, 0, 1), P(2, 3, 1), P(2, 0, 5)};
+    check_clip(T, (aabb){P(8, -9, -9), P(9, 9, 9)}, P(8, 0, 5), P(8, 0, 5));
+    check_clip(T, (aabb){P(-9, -9, -9), P(9, 0, 9)}, P(0, 0, 1), P(8, 0, 5));
+    check_clip(T, (aabb){P(-9, 4, -9), P(0, 9, 9)}, P(0, 4, 3), P(0, 4, 3));
+    check_clip(flat, (aabb){P(2, 1, -9), P(9, 9, 9)}, P(2, 1, 1), P(2, 3, 11.0 / 3));
+    check_clip(flat, (aabb){P(-9, -9, -9), P(2, 9, 2)}, P(2, 0, 1), P(2, 3, 2));
+}
+
+typedef struct {
+    exact x[3];
+} exact_point;
+
+// Sutherland and Hodgman without rounding to speak of, in a cell larger by `grown`. Returns how
+// many corners are left.
+static int exact_clip(triangle T, aabb cell, double grown, exact_point *p) {
+    int n = 3;
+    const vec3 corners[] = {T.p1, T.p2, T.p3};
+    for (int i = 0; i < 3; i++)
+        p[i] = (exact_point){{corners[i].x, corners[i].y, corners[i].z}};
+    for (int side = 0; side < 6; side++) {
+        const int axis = side / 2, sign = side % 2 ? 1 : -1;
+        const exact at = along(sign > 0 ? cell.max : cell.min, axis) + (exact)sign * grown;
+        exact_point q[16];
+        int m = 0;
+        for (int i = 0; i < n; i++) {
+            const exact_point a = p[i], b = p[(i + 1) % n];
+            const exact da = sign * (at - a.x[axis]), db = sign * (at - b.x[axis]);
+            if (da >= 0) q[m++] = a;
+            if ((da >= 0) == (db >= 0)) continue;
+            for (int k = 0; k < 3; k++) q[m].x[k] = a.x[k] + da / (da - db) * (b.x[k] - a.x[k]);
+            q[m++].x[axis] = at;
+        }
+        for (int i = 0; i < m; i++) p[i] = q[i];
+        n = m;
+    }
+    return n;
+}
+
+static void exact_bounds(const exact_point *p, int n, int axis, exact *low, exact *high) {
+    *low = *high = p[0].x[axis];
+    for (int i = 1; i < n; i++) {
+        if (p[i].x[axis] < *low) *low = p[i].x[axis];
+        if (p[i].x[axis] > *high) *high = p[i].x[axis];
+    }
+}
+
+// Larger by roundings: what is in a cell larger by some, and then some more. A steep triangle
+// leaves a slightly larger cell far from where it leaves the cell.
+static void check_clip_exactly(triangle T, aabb cell) {
+    const aabb box = kd_clip(T, cell), whole = aabb_of(T);
+    const double size = wide_length(whole.min) + wide_length(whole.max);
+    const double slack = (64 * DBL_EPSILON + 2 * (double)REAL_EPSILON) * size;
+    const exact least = (exact)1e-30 * size; // the reference is rounded in its 33rd digit
+    exact_point part[16], more[16];
+    const int n = exact_clip(T, cell, 0, part), m = exact_clip(T, cell, slack, more);
+    given_clip(T, cell);
+    CHECK(n == 0 || !box_is_empty(box), "a part of T is in the cell: the bounds are not empty");
+    CHECK(m > 0 || box_is_empty(box), "no part of T is near the cell: the bounds are empty");
+    if (box_is_empty(box)) return;
+    for (int k = 0; k < 3; k++) {
+        exact low, high;
+        const exact min = along(box.min, k), max = along(box.max, k);
+        CHECK(along(box.min, k) >= along(cell.min, k) &&
+                  along(box.max, k) <= along(cell.max, k),
+              "the bounds stay in the cell");
+        if (n > 0) {
+            exact_bounds(part, n, k, &low, &high);
+            CHECK(min <= low + least && max >= high - least,
+                  "nothing of the part in the cell lies outside the bounds");
+        }
+        exact_bounds(more, m, k, &low, &high);
+        CHECK(min >= low - slack && max <= high + slack,
+              "the bounds are larger than the part of T in the cell by roundings at most");
+    }
+}
+
+static void clip_generic(void) {
+    rng g = check_rng(1304);
+    for (int i = 0; i < 60000; i++) {
+        const real size = (real)pow(10, between(&g, -4, 4));
+        const vec3 at = scale(size * (real)pow(10, between(&g, -2, 3)), in_cube(&g));
+        const vec3 p1 = add(at, scale(size, in_cube(&g))),
+                   p2 = add(at, scale(size, in_cube(&g)));
+        vec3 p3 = add(at, scale(size, in_cube(&g)));
+        if (i % 5 == 1)
+            p3 = add(lerp(p1, p2, (real)0.3), scale((real)1e-5 * size, in_cube(&g)));
+        const vec3 a = add(at, scale(size, in_cube(&g))), b = add(at, scale(size, in_cube(&g)));
+        aabb cell = aabb_with((aabb){a, a}, b);
+        if (i % 7 == 2) cell = aabb_with((aabb){a, a}, p1); // a corner in the cell's corner
+        check_clip_exactly((triangle){p1, p2, p3}, cell);
+    }
+}
+
+#endif

@@ -1,0 +1,336 @@
+// 13-kd-tree-walk.h: the part of 13-kd-tree.c about the walk, and about whole trees.
+#ifndef TESTS_13_KD_TREE_WALK_H
+#define TESTS_13_KD_TREE_WALK_H
+
+#include "chapters/13-kd-tree/kd_tree.h"
+#include "tests/check-trees.h"
+
+#define NEAREST_T "kd_nearest(tree, r, t_min, t_max, &index, NULL).t"
+#define ANY_CALL "kd_any(tree, r, t_min, t_max, NULL)"
+
+// ---- a tree made by hand ------------------------------------------------------------------
+
+// Three walls across x, at x = 1, 3, 5, and one that leans from x = 0.5 above to 5.5 below. The
+// plane x = 2 parts them: the leaning one is in both cells.
+static const vec3 hand_points[] = {
+    {1, 4, -4},   {1, 9, -4},    {1, 4, 9},     // 0: only y >= 4
+    {3, -9, -9},  {3, 9, -9},    {3, 0, 9},     // 1: all of the middle
+    {5, -9, -9},  {5, 9, -9},    {5, 0, 9},     // 2
+    {0.5f, 4, 9}, {0.5f, 4, -9}, {5.5f, -4, 0}, // 3: x = 3 - 5 y / 8, cuts y = 0 at x = 3
+};
+static const int hand_corners[][3] = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}};
+
+// x = 2: below it triangles 0 and 3; above it, x = 4 parts 1 and 3 from 2 and 3.
+static kd_tree hand_tree(const mesh *m) {
+    static kd_node nodes[5];
+    static uint32_t lists[] = {0, 3, 1, 3, 2, 3};
+    nodes[0] = (kd_node){.split = 2, .packed = 0 | 2 << 2};
+    nodes[1] = (kd_node){.first = 0, .packed = KD_LEAF | 2 << 2};
+    nodes[2] = (kd_node){.split = 4, .packed = 0 | 4 << 2};
+    nodes[3] = (kd_node){.first = 2, .packed = KD_LEAF | 2 << 2};
+    nodes[4] = (kd_node){.first = 4, .packed = KD_LEAF | 2 << 2};
+    return (kd_tree){.m = m,
+                     .box = {{0.5f, -9, -9}, {5.5f, 9, 9}},
+                     .nodes = nodes,
+                     .lists = lists,
+                     .node_count = 5,
+                     .list_count = 6,
+                     .count = 4,
+                     .how = kd_defaults};
+}
+
+static const mesh hand_mesh = {.points = hand_points, .corners = hand_corners, .count = 4};
+
+static void check_hand(ray r, real t_min, real t_max, real t, int index, const char *what) {
+    const kd_tree k = hand_tree(&hand_mesh);
+    int got = -7;
+    const triangle_point q = kd_nearest(&k, r, t_min, t_max, &got, NULL);
+    given("triangles 0, 1, 2 at x = 1, 3, 5; 3 leans through all; planes at x = 2 and 4\n"
+          "ray O = " VEC ", d = " VEC "; t_min = %.9g, t_max = %.9g\n%s",
+          ARG(r.O), ARG(r.d), (double)t_min, (double)t_max, what);
+    suspect_value("a miss: a hit is lost", (double)NO_HIT);
+    if (q.t > t)
+        suspect_value(
+            "a hit that lies outside the cell in whose leaf it was found: a nearer one "
+            "waits in the next cell",
+            (double)q.t);
+    check_real(__FILE__, __LINE__, NEAREST_T, (double)q.t, (double)t,
+               roundings(4, "the triangle's test rounds t once"));
+    suspect_value("untouched, after a hit", -7);
+    if (got > index) suspect_value("of equally near triangles the smallest index counts", got);
+    check_int(__FILE__, __LINE__, "index", got, index);
+}
+
+static void nearest_by_hand(void) {
+    const ray low = {{0, -1, 0}, {1, 0, 0}}, high = {{0, 1, 0}, {1, 0, 0}};
+    check_hand(low, 0, NO_HIT, 3, 1,
+               "in the first cell 3 is hit, at x = 3.625: behind its end");
+    check_hand(high, 0, NO_HIT, 2.375f, 3, "in the second cell 3 is hit at x = 2.375");
+    check_hand((ray){{0, -2, 0}, {1, 0, 0}}, 0, NO_HIT, 3, 1, "3 lies at x = 4.25");
+    check_hand((ray){{7, 1, 0}, {-2, 0, 0}}, 0, NO_HIT, 1, 2, "from the other end");
+    check_hand((ray){{4.5f, 1, 0}, {-1, 0, 0}}, 0, NO_HIT, 1.5f, 1, "from inside, backwards");
+    check_hand((ray){{2.75f, 1, 0}, {-1, 0, 0}}, 0, NO_HIT, 0.375f, 3,
+               "O lies above x = 2, and the hit too");
+    check_hand((ray){{0, 6, 0}, {1, 0, 0}}, 0, NO_HIT, 1, 0,
+               "the first wall, which only stands there");
+    check_hand((ray){{2, 1, 0}, {1, 0, 0}}, 0, NO_HIT, 0.375f, 3, "O in the plane x = 2");
+    check_hand((ray){{2, 5, 1}, {-0.0f, -1, 0}}, 0, NO_HIT, (real)3.4, 3,
+               "in the plane x = 2: 3 lies at y = 1.6");
+}
+
+static void nearest_interval(void) {
+    const ray r = {{0, 1, 0}, {1, 0, 0}};
+    check_hand(r, 2.375f, NO_HIT, 3, 1, "t > t_min: the first hit is not");
+    check_hand(r, 3, NO_HIT, 5, 2, "t > t_min: two hits are not");
+    check_hand(r, 5, NO_HIT, NO_HIT, -7, "nothing behind t_min; index stays untouched");
+    check_hand(r, 0, 2.375f, NO_HIT, -7, "t < t_max: nothing before; index stays untouched");
+    check_hand(r, 0, 2.5f, 2.375f, 3, "one before t_max");
+    check_hand((ray){{0, 40, 0}, {1, 0, 0}}, 0, NO_HIT, NO_HIT, -7, "beside the root's box");
+}
+
+// y = 0: triangles 1 and 3 both at x = 3 exactly. And in the plane x = 2 itself.
+static void nearest_ties(void) {
+    check_hand((ray){{0, 0, 0}, {1, 0, 0}}, 0, NO_HIT, 3, 1, "1 and 3 are both hit at t = 3");
+    check_hand((ray){{6, 0, 0}, {-1, 0, 0}}, 0, NO_HIT, 1, 2, "2 at t = 1");
+    rng g = check_rng(1310);
+    for (int i = 0; i < 40; i++) { // copies on both sides of planes, and everywhere
+        mesh m = tree_soup(60, i % 2 ? tree_copies : tree_bricks, &g);
+        void *tree = by_kd_tree.build(&m);
+        const tree_case c = {&by_kd_tree, NEAREST_T, ANY_CALL, "many at the same t", &m, tree};
+        tree_agrees_on_aim(&c, AT_ANYTHING, 300, &g);
+        tree_agrees_on_aim(&c, ON_AXIS, 300, &g);
+        by_kd_tree.free(tree);
+        mesh_free(&m);
+    }
+}
+
+// The walk ends: rays along a row of walls meet the first one and ask for no more than a few.
+static void nearest_ends(void) {
+    enum { WALLS = 400 };
+    static vec3 points[3 * WALLS];
+    static int corners[WALLS][3];
+    for (int i = 0; i < WALLS; i++) {
+        const real x = (real)i;
+        points[3 * i] = (vec3){x, -1, -1}, points[3 * i + 1] = (vec3){x, 3, -1};
+        points[3 * i + 2] = (vec3){x + (real)0.5, -1, 3};
+        for (int c = 0; c < 3; c++) corners[i][c] = 3 * i + c;
+    }
+    const mesh m = {.points = points, .corners = (const int(*)[3])corners, .count = WALLS};
+    kd_tree k = kd_build(&m, kd_defaults);
+    for (int i = 0; i < WALLS; i += 37) {
+        effort spent = {0, 0};
+        int index = -1;
+        const ray r = {{(real)i - (real)0.25, (real)0.1, (real)0.2}, {1, 0, 0}};
+        kd_nearest(&k, r, 0, NO_HIT, &index, &spent);
+        given("%d walls across x, one behind the other; the ray begins before wall %d", WALLS,
+              i);
+        CHECK_INT(index, i);
+        suspect_value("no test counted: spent is not NULL here", 0);
+        check_at_most(__FILE__, __LINE__, "spent.tests", (double)spent.tests, 12,
+                      "the walk ends with the first wall: the cells behind are not asked");
+        CHECK(spent.tests > 0 && spent.steps > 0, "steps and tests are counted");
+    }
+    kd_free(&k);
+}
+
+static void nearest_scenes(void) {
+    rng g = check_rng(1311);
+    tree_agrees_on_scenes(&by_kd_tree, NEAREST_T, ANY_CALL, 200, &g);
+}
+
+static void nearest_shapes(void) {
+    rng g = check_rng(1312);
+    tree_agrees_on_shapes(&by_kd_tree, NEAREST_T, ANY_CALL, 100, &g);
+}
+
+static void nearest_many(void) {
+    rng g = check_rng(1313);
+    tree_agrees_on_many(&by_kd_tree, NEAREST_T, ANY_CALL, 150, 1000, &g);
+}
+
+// From inside a closed mesh every ray meets it, also at edges and corners, along axes and in
+// planes.
+static void nearest_leaks(void) {
+    mesh (*const closed[])(long) = {shape_icosphere, shape_sponge, shape_cave};
+    const vec3 inside[] = {{0, 0, 0}, {(real)0.44, (real)0.45, (real)0.43}, {0, 0, 0}};
+    rng g = check_rng(1314);
+    for (int s = 0; s < COUNT(closed); s++) {
+        mesh m = closed[s](3000);
+        kd_tree k = kd_build(&m, kd_defaults);
+        for (int i = 0; i < 30000; i++) {
+            const triangle T = tree_some(&m, &g);
+            const vec3 O = add(inside[s], scale((real)0.02, in_cube(&g)));
+            const vec3 aim = i % 2 ? T.p1 : lerp(T.p1, T.p2, rng_real(&g));
+            vec3 d = sub(aim, O);
+            if (i % 5 == 0) d = tree_along(d, i % 3, i % 2, &g);
+            if (!(dot(d, d) > 0)) continue;
+            int index = -1;
+            const triangle_point q = kd_nearest(&k, (ray){O, d}, 0, NO_HIT, &index, NULL);
+            if (q.t != NO_HIT && kd_any(&k, (ray){O, d}, 0, NO_HIT, NULL)) continue;
+            given("a closed mesh of %d triangles, from inside\nray O = " VEC ", d = " VEC,
+                  m.count, ARG(O), ARG(d));
+            CHECK(q.t != NO_HIT, "no ray leaves a closed mesh");
+            CHECK_BOOL(kd_any(&k, (ray){O, d}, 0, NO_HIT, NULL), true);
+        }
+        kd_free(&k);
+        mesh_free(&m);
+    }
+}
+
+// ---- whole trees ---------------------------------------------------------------------------
+
+static void check_promises(const mesh *m, const char *name, kd_options how) {
+    kd_tree k = kd_build(m, how);
+    const char *flaw = kd_flaw(&k);
+    given("%s: %d triangles; %ld nodes, %ld references\n%s", name, m->count, k.node_count,
+          k.list_count, flaw ? flaw : "no flaw");
+    CHECK(flaw == NULL, "the tree keeps its promises (kd_flaw)");
+    CHECK(kd_measure(&k).depth <= kd_depth_limit(k.count), "no leaf is deeper than the limit");
+    kd_free(&k);
+}
+
+static const kd_options several[] = {
+    {.step = 0.5f, .bonus = 0.2f, .budget = 16, .clip = true},
+    {.step = 1, .bonus = 0, .budget = 8, .clip = false},
+    {.step = 0.1f, .bonus = 0.8f, .budget = 2, .clip = true},
+    {.step = 0, .bonus = 0, .budget = 100, .clip = true},
+    {.step = 0.3f, .bonus = 0.5f, .budget = 1, .clip = true},
+};
+
+static void build_promises(void) {
+    rng g = check_rng(1320);
+    for (int i = 0; i < COUNT(tree_scenes); i++) {
+        mesh m = tree_soup(tree_scenes[i].count, tree_scenes[i].make, &g);
+        for (int k = 0; k < COUNT(several); k++)
+            check_promises(&m, tree_scenes[i].name, several[k]);
+        mesh_free(&m);
+    }
+    for (const shape *s = shapes; s->name; s++) {
+        mesh m = s->make(2000);
+        for (int k = 0; k < 3; k++) check_promises(&m, s->name, several[k]);
+        mesh_free(&m);
+    }
+}
+
+// Also with a budget that is spent early the walk finds the same.
+static void build_options(void) {
+    rng g = check_rng(1321);
+    mesh m = tree_soup(120, tree_needles, &g);
+    for (int k = 0; k < COUNT(several); k++) {
+        kd_tree tree = kd_build(&m, several[k]);
+        const tree_case c = {&by_kd_tree, NEAREST_T, ANY_CALL, "needles, other options",
+                             &m,          &tree};
+        tree_agrees_on_aim(&c, AT_ANYTHING, 1500, &g);
+        kd_free(&tree);
+    }
+    mesh_free(&m);
+}
+
+static void build_twice(void) {
+    mesh m = shape_knot(4000);
+    kd_tree a = kd_build(&m, kd_defaults), b = kd_build(&m, kd_defaults);
+    CHECK_INT(a.node_count, b.node_count);
+    CHECK_INT(a.list_count, b.list_count);
+    bool same = true;
+    for (long i = 0; i < a.node_count; i++)
+        same = same && a.nodes[i].packed == b.nodes[i].packed &&
+               a.nodes[i].first == b.nodes[i].first;
+    for (long i = 0; i < a.list_count; i++) same = same && a.lists[i] == b.lists[i];
+    CHECK(same, "the same mesh gives the same tree, bit for bit");
+    kd_free(&a);
+    kd_free(&b);
+    mesh_free(&m);
+}
+
+// A division must be worth it: how many tests a ray then needs.
+static void build_pays(void) {
+    mesh m = shape_knot(5000);
+    kd_tree k = kd_build(&m, kd_defaults);
+    rng g = check_rng(1322);
+    effort spent = {0, 0};
+    int index;
+    for (int i = 0; i < 2000; i++)
+        kd_nearest(&k, tree_aimed(&m, AT_ANYTHING, &g), 0, NO_HIT, &index, &spent);
+    given("a knot of %d triangles, 2000 rays", m.count);
+    check_at_most(__FILE__, __LINE__, "triangles tested per ray", (double)spent.tests / 2000,
+                  40, "far fewer than there are: 5 to 15 are usual");
+    CHECK(kd_measure(&k).empty > 0, "there are empty cells");
+    kd_free(&k);
+    mesh_free(&m);
+}
+
+// The inspector sees what is broken.
+static void build_flaws(void) {
+    mesh m = shape_knot(300);
+    kd_tree k = kd_build(&m, kd_defaults);
+    CHECK(kd_flaw(&k) == NULL, "a tree as built has no flaw");
+    const uint32_t listed = k.lists[0];
+    k.lists[0] = (uint32_t)m.count;
+    CHECK(kd_flaw(&k) != NULL, "a triangle that does not exist is a flaw");
+    k.lists[0] = listed ? listed - 1 : 1;
+    CHECK(kd_flaw(&k) != NULL, "another triangle in a leaf's place is a flaw");
+    k.lists[0] = listed;
+    k.nodes[0].split += 1000;
+    CHECK(kd_flaw(&k) != NULL, "a plane outside its cell is a flaw");
+    k.nodes[0].split -= 1000;
+    kd_free(&k);
+    mesh_free(&m);
+}
+
+static void any_scenes(void) {
+    rng g = check_rng(1330);
+    for (int i = 0; i < 3; i++) {
+        mesh m = tree_soup(150, tree_cloud, &g);
+        kd_tree k = kd_build(&m, kd_defaults);
+        for (int j = 0; j < 20000; j++) {
+            const ray r = tree_ray(&m, (tree_aim)(j % TREE_AIMS), &g);
+            const bool want = mesh_any(&m, r, 0, 1);
+            if (kd_any(&k, r, 0, 1, NULL) == want || !tree_t_is_exact) continue;
+            given("a cloud\nray O = " VEC ", d = " VEC, ARG(r.O), ARG(r.d));
+            CHECK_BOOL(kd_any(&k, r, 0, 1, NULL), want);
+        }
+        kd_free(&k);
+        mesh_free(&m);
+    }
+}
+
+// The others behind the interface.
+static void searchers_agree(void) {
+    const searcher *const all[] = {&by_brute_force, &by_bvh_median, &by_bvh_midpoint,
+                                   &by_bvh_sah, &by_kd_tree};
+    rng g = check_rng(1331);
+    mesh m = tree_soup(150, tree_cloud, &g);
+    for (int s = 0; s < COUNT(all); s++) {
+        void *tree = all[s]->build(&m);
+        const tree_case c = {all[s], all[s]->name, all[s]->name, "a cloud", &m, tree};
+        CHECK(all[s]->flaw(tree) == NULL, "a tree as built has no flaw");
+        CHECK((all[s]->bytes(tree) > 0) == (s > 0), "brute force needs no memory, trees do");
+        tree_agrees_on_aim(&c, AT_ANYTHING, 1500, &g);
+        effort spent = {0, 0};
+        all[s]->any(tree, tree_aimed(&m, AT_CORNER, &g), 0, NO_HIT, &spent);
+        CHECK(spent.tests + spent.steps > 0, "effort is counted");
+        all[s]->free(tree);
+    }
+    mesh_free(&m);
+}
+
+static void as_finder(void) {
+    rng g = check_rng(1332);
+    mesh m = tree_soup(150, tree_cloud, &g);
+    kd_tree k = kd_build(&m, kd_defaults);
+    const finder f = kd_finder(&k);
+    mesh with = m;
+    with.finder = &f;
+    for (int i = 0; i < 2000; i++) {
+        const ray r = tree_aimed(&m, AT_ANYTHING, &g);
+        int a = -1, b = -1;
+        CHECK_REAL(mesh_hit(&with, r, 0, NO_HIT, &a).t, mesh_hit(&m, r, 0, NO_HIT, &b).t,
+                   exactly());
+        CHECK_INT(a, b);
+        CHECK_BOOL(mesh_any(&with, r, 0, NO_HIT), b >= 0);
+    }
+    kd_free(&k);
+    mesh_free(&m);
+}
+
+#endif

@@ -1,0 +1,8 @@
+// Wrong: no limit of depth: a heap of equal triangles is divided for ever.
+// Expect: endless subdivision otherwise
+#include "chapters/14-octree/octree.h"
+
+bool worth_dividing(octree_options how, int depth, int count, const int inside[8]) {
+    (void)depth, (void)inside;
+    return count > how.leaf_size;
+}

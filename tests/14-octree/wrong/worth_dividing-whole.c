@@ -1,0 +1,11 @@
+// Wrong: integer division: a quarter of 5 is 1.
+// Expect: 8 + 12 against 20
+#include "chapters/14-octree/octree.h"
+
+bool worth_dividing(octree_options how, int depth, int count, const int inside[8]) {
+    if (count <= how.leaf_size || depth >= how.depth) return false;
+    int cost = 0;
+    for (int i = 0; i < 8; i++)
+        if (inside[i]) cost += C_STEP + C_HIT * inside[i] / 4;
+    return cost < C_HIT * count;
+}
