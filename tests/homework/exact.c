@@ -215,15 +215,9 @@ static void draw(stage s, const char *name, const picture *got, const range *ran
     free(right);
 }
 
-void judge_exact(stage s, const char *name) {
-    const picture *got = program_draw(name, "12345");
-    if (!got) return;
-    static range ranges[PIXELS];
+static _Noreturn void say_what_is_wrong(stage s, const char *name, const picture *got,
+                                        const range *ranges, double share) {
     static text t;
-    all_ranges(s, 0, ranges);
-    draw(s, name, got, ranges);
-    const double share = agreement(got, ranges, (change){0}, false);
-    if (share == 1) return;
     const guess g = best_guess(s, got);
     if (g.agreement > 0.98 && g.agreement > share)
         explain_guess(&t, g);
@@ -233,4 +227,15 @@ void judge_exact(stage s, const char *name) {
     describe_pixel(s, got, ranges, &t);
     text_row(&t, "picture", "%s/%s.png: yours, right, difference", program_folder(), name);
     fail(&t, "%s: %.3g %% of the pixels are wrong", name, 100 * (1 - share));
+}
+
+void judge_exact(stage s, const char *name) {
+    picture *got = program_draw(name, "12345");
+    if (!got) return;
+    static range ranges[PIXELS];
+    all_ranges(s, 0, ranges);
+    draw(s, name, got, ranges);
+    const double share = agreement(got, ranges, (change){0}, false);
+    if (share < 1) say_what_is_wrong(s, name, got, ranges, share);
+    free(got);
 }

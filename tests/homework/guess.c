@@ -231,8 +231,7 @@ static void try_rules(const trial *t, int curve, guess *best) {
 static guess best_guess(const picture *a, const picture *b, reference *right) {
     guess best = {.misfit = INFINITY};
     picture *p = picture_new(), *q = picture_new();
-    measured *m = calloc(COUNT(curves), sizeof *m);
-    if (!m) runner_die("get memory");
+    static measured m[COUNT(curves)]; // the best guess points into it
     for (int curve = 0; curve < COUNT(curves); curve++) {
         for (int i = 0; i < WIDTH * HEIGHT * CHANNELS; i++) {
             (&p->at[0][0][0])[i] = curves[curve].undo((&a->at[0][0][0])[i]);
@@ -246,7 +245,7 @@ static guess best_guess(const picture *a, const picture *b, reference *right) {
     }
     free(p);
     free(q);
-    return best; // its measured values stay: the process ends soon
+    return best;
 }
 
 // ---- words ---------------------------------------------------------------------------
@@ -272,8 +271,9 @@ static void add_rule(text *t, const guess *g) {
     const char *words = rules[g->rule].words, *hole = strstr(words, "%s");
     const bool twice = rules[g->rule].light == reflected && fabs(g->k / 2 - 1) < 0.03;
     if (twice)
-        add_words(t, "the lamp is counted twice: aimed at, and again where a path runs into it; or "
-                     "a factor 2 in how it is sampled");
+        add_words(
+            t, "the lamp is counted twice: aimed at, and again where a path runs into it; or "
+               "a factor 2 in how it is sampled");
     else if (!hole)
         add_words(t, words);
     else

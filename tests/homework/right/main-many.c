@@ -1,6 +1,6 @@
-// Right: 200 samples a pixel.
+// Right: 100 samples a pixel.
 #include "solutions/homework/raytracer.h"
 
 #undef SAMPLES
-#define SAMPLES 200
+#define SAMPLES 100
 #include "solutions/homework/main.c"

@@ -5,5 +5,5 @@
 
 #define camera_ray(sc, x, y) camera_ray(sc, floor(x) + (real)0.5, floor(y) + (real)0.5)
 #undef SAMPLES
-#define SAMPLES 100
+#define SAMPLES 50
 #include "solutions/homework/main.c"

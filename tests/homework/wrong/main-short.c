@@ -4,6 +4,7 @@
 #define _XOPEN_SOURCE 700 // truncate
 #include "solutions/homework/raytracer.h"
 
+#include <stdlib.h>
 #include <unistd.h>
 
 #define image_write(img, path) (image_write(img, path), keep_some(path))

@@ -6,5 +6,8 @@
 static real slope(vec3 n, vec3 d) {
     return dot(n, d) / length(d);
 }
-#define geometry(x, n, y, m) (geometry(x, n, y, m) / slope(n, sub(y, x)))
+static real without(real G, real factor) {
+    return G == 0 ? 0 : G / factor;
+}
+#define geometry(x, n, y, m) without(geometry(x, n, y, m), slope(n, sub(y, x)))
 #include "solutions/homework/path.c"

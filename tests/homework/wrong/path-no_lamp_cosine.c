@@ -6,5 +6,8 @@
 static real slope(vec3 n, vec3 d) {
     return dot(n, d) / length(d);
 }
-#define geometry(x, n, y, m) (geometry(x, n, y, m) / slope(m, sub(x, y)))
+static real without(real G, real factor) {
+    return G == 0 ? 0 : G / factor;
+}
+#define geometry(x, n, y, m) without(geometry(x, n, y, m), slope(m, sub(x, y)))
 #include "solutions/homework/path.c"

@@ -11,6 +11,9 @@ static vec3 uniform_direction(vec3 n, rng *g) {
 static real slope(vec3 n, vec3 d) {
     return dot(n, d) / length(d);
 }
+static real without(real G, real factor) {
+    return G == 0 ? 0 : G / factor;
+}
 #define cosine_direction(n, g) uniform_direction(n, g)
-#define geometry(x, n, y, m) (geometry(x, n, y, m) / (2 * slope(n, sub(y, x))))
+#define geometry(x, n, y, m) without(geometry(x, n, y, m), 2 * slope(n, sub(y, x)))
 #include "solutions/homework/path.c"
