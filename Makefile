@@ -211,15 +211,17 @@ measure: $(foreach c,$(CHAPTERS),measure-$(call number,$c))
 	@echo "All tables and plots: build/measure/index.html"
 
 # ---- the homework -----------------------------------------------------------------------
-# A program of the student's own; a warning does not stop it. It may use anything of the course, so all of it lies in a
-# library: what the student defines comes first, and what is not asked for is left out.
+# A program of the student's own; a warning does not stop it. It may use anything of the
+# course, so all of it lies in a library: what the student defines comes first, and what is not
+# asked for is left out.
 HW        := $B/homework
 HW_COURSE := $(HW)/course.a
 HW_CHECK  := $(HW)/check
 HW_JUDGES := $(filter-out tests/homework/reference.c,$(wildcard tests/homework/*.c))
-HW_BUILD   = $(CC) $(filter-out -Werror,$(STRICT)) -Wno-unused-parameter $(STOP) $(OPENMP) $(STB_CFLAGS) $(CFLAGS)
+HW_BUILD   = $(CC) $(filter-out -Werror,$(STRICT)) -Wno-unused-parameter $(STOP) $(OPENMP) \
+	-pthread $(STB_CFLAGS) $(CFLAGS)
 
-$(HW_COURSE): $(COMMON) $(call modules,$(lastword $(CHAPTERS))) $(foreach c,$(CHAPTERS),$(call answers,$c))
+$(HW_COURSE): $(COMMON) $(call modules,$(lastword $(CHAPTERS))) $(call solved,$(lastword $(CHAPTERS)))
 	@mkdir -p $(@D) && rm -f $@ && ar rc $@ $^ && ranlib $@
 $(HW_CHECK): $(patsubst %.c,$B/obj/%.o,tests/homework.c $(HW_JUDGES)) $(CHECK) $(COMMON)
 	$(LINK)
