@@ -2,7 +2,6 @@
 // the lamp reaches it; and the converged reference.
 #include "tests/homework/homework.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 const char *const box_body_name[BOX_BODIES] = {

@@ -2,7 +2,6 @@
 // light of the reference put together wrongly. Every combination is tried.
 #include "tests/homework/homework.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 double srgb_decoded(double v) {
@@ -230,21 +229,19 @@ static void try_rules(const trial *t, int curve, guess *best) {
 
 static guess best_guess(const picture *a, const picture *b, reference *right) {
     guess best = {.misfit = INFINITY};
-    picture *p = picture_new(), *q = picture_new();
+    static picture p, q;
     static measured m[COUNT(curves)]; // the best guess points into it
     for (int curve = 0; curve < COUNT(curves); curve++) {
         for (int i = 0; i < WIDTH * HEIGHT * CHANNELS; i++) {
-            (&p->at[0][0][0])[i] = curves[curve].undo((&a->at[0][0][0])[i]);
-            (&q->at[0][0][0])[i] = curves[curve].undo((&b->at[0][0][0])[i]);
+            (&p.at[0][0][0])[i] = curves[curve].undo((&a->at[0][0][0])[i]);
+            (&q.at[0][0][0])[i] = curves[curve].undo((&b->at[0][0][0])[i]);
         }
-        measure_blocks(p, q, &m[curve]);
+        measure_blocks(&p, &q, &m[curve]);
         for (int i = 0; i < 16; i++) {
             const trial t = {right, &m[curve], i & 3, (i & 4) != 0, (i & 8) != 0};
             try_rules(&t, curve, &best);
         }
     }
-    free(p);
-    free(q);
     return best;
 }
 

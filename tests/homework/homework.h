@@ -22,8 +22,6 @@ typedef struct {
     double at[HEIGHT][WIDTH][CHANNELS]; // from the top left
 } picture;
 
-picture *picture_new(void);
-
 // Ends the test as failed: the first line says what is wrong, `more` may be NULL.
 _Noreturn void fail(const text *more, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
@@ -35,8 +33,9 @@ enum { BUILT, NOT_BUILT, EMPTY };
 int program_state(text *why);
 
 // Runs `raytracer name file seed` and reads its picture. Fails the test when it does not come to
-// that; notes a todo and returns NULL when the program does not know the name.
-picture *program_draw(const char *name, const char *seed);
+// that; notes a todo and returns NULL when the program does not know the name. The picture lives
+// until two more are drawn.
+const picture *program_draw(const char *name, const char *seed);
 
 // The folder for pictures, and a line for the student that is shown even if all is right.
 const char *program_folder(void);

@@ -284,11 +284,8 @@ static void judge(const picture *a, const picture *b) {
 void judge_path(void) {
     const char *seed = runner_setting("SEED"); // others, to try
     const long more = seed ? 1000003 * strtol(seed, NULL, 10) : 0;
-    picture *a = program_draw("path", text_kept("%ld", 12345 + more));
+    const picture *a = program_draw("path", text_kept("%ld", 12345 + more));
     if (!a) return;
-    picture *b = program_draw("path", text_kept("%ld", 987654321 + more));
-    if (!b) return;
-    judge(a, b);
-    free(a);
-    free(b);
+    const picture *b = program_draw("path", text_kept("%ld", 987654321 + more));
+    if (b) judge(a, b);
 }
