@@ -10,6 +10,8 @@
 #:                  exercise: only its tests, and with all other exercises solved
 #: make hint-04     a hint for every exercise;  N=2, N=3: more of it;  T=nearest_root: for this one
 #: make progress    every exercise: not started, wrong or right
+#: make homework    your own ray tracer, exercises/homework/, checked stage by stage
+#:                  T=depth: one stage;  TEST_SECONDS=600: more than 120 s for a picture
 #: make test        every chapter's tests, on the solutions;  TAP=1;  JUNIT=file
 #: make measure-04  error and cost of the chapter's variants: a table, CSV, plots
 #: make measure     the same for all, and one page: build/measure/index.html
@@ -18,6 +20,10 @@
 #: For those who work on the course:
 #: make test-solutions-04   one chapter's tests on its solutions
 #: make seeds-09    one chapter's tests on its solutions with N=100 different seeds
+#: make grade SUBMISSIONS=dir   the homework of every folder in dir: a table, and
+#:                  build/grade/junit.xml
+#: make handout     build/handout: the course without solutions/ and wrong answers
+#: make homework-reference      make tests/homework/reference.pfm again: half an hour
 #: make soak        N=1e8 rays through the pictures of chapters 09 to 11: are all samples light?
 #: make fuzz        mutated texts through the OBJ reader for SECONDS=60; needs clang with libFuzzer
 #: make leaks       N=1e8 rays at the edges and corners of closed meshes: does one leak?
@@ -62,6 +68,9 @@ STRICT := -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-tree-slp-vec
 	$(if $(filter double,$(REAL)),-DREAL_IS_DOUBLE) \
 	$(if $(SAN),-fsanitize=address$(comma)undefined -fno-sanitize-recover=all)
 COMPILE = @mkdir -p $(@D) && $(CC) $(STRICT) $(OPENMP) $(STB_CFLAGS) $(CFLAGS) $(LTO) -MMD -MP
+# A function without prototype or without return compiles, in C, and goes wrong later: in a
+# student's code it stops here.
+STOP    = -Werror=implicit-function-declaration -Werror=return-type
 LINK    = @mkdir -p $(@D) && $(CC) $(STRICT) $(OPENMP) $(CFLAGS) $(FAST) -o $@ $(filter %.o,$^) -lm
 # Programs that trace paths are optimised across files, which takes seconds and makes them
 # twice as fast.
@@ -81,6 +90,10 @@ ifneq ($(filter-out $(CHAPTERS),$(MINE_CHAPTERS)),)
 $(error MINE: no chapter "$(filter-out $(CHAPTERS),$(MINE_CHAPTERS))"; there are: $(CHAPTERS))
 endif
 
+# Where the answers lie that others build on: in a handout there are no solutions, and the
+# student's own stand for them.
+SOLVED := $(if $(wildcard solutions/*/*.c),solutions,$(EXERCISES))
+
 # ---- which objects make a program ----------------------------------------------
 # A chapter's module declares its exercises and calls them. Each is defined once,
 # by a file in solutions/ or by one in $(EXERCISES)/: exactly one of them is linked.
@@ -88,16 +101,16 @@ OWN     := $B/own/$(subst /,_,$(EXERCISES))
 COMMON  := $(patsubst %.c,$B/obj/%.o,$(wildcard common/*.c))
 CHECK   := $(patsubst %.c,$B/obj/%.o,$(filter-out %/check-self.c %/check-fixtures.c,$(wildcard tests/check*.c)))
 modules  = $(patsubst %.c,$B/obj/%.o,$(filter-out %/main.c %/measure.c,$(foreach c,$(UPTO_$1),$(wildcard chapters/$c/*.c))))
-answers  = $(patsubst %.c,$B/obj/%.o,$(wildcard solutions/$1/*.c))
-own      = $(patsubst $B/obj/solutions/%,$(OWN)/%,$(call answers,$1))
+answers  = $(patsubst %.c,$B/obj/%.o,$(wildcard $(SOLVED)/$1/*.c))
+own      = $(patsubst $B/obj/$(SOLVED)/%,$(OWN)/%,$(call answers,$1))
 solved   = $(foreach c,$(UPTO_$1),$(call answers,$c))
 # The student's answers of the chapters in MINE, of just this one if that is not set.
 mine     = $(foreach c,$(UPTO_$1),$(if $(filter $c,$(or $(MINE_CHAPTERS),$1)),$(call own,$c),$(call answers,$c)))
 # Every solution but the one of exercise $2, which another object stands in for.
-all_but  = $(filter-out $B/obj/solutions/$1/$2.o,$(call solved,$1))
+all_but  = $(filter-out $B/obj/$(SOLVED)/$1/$2.o,$(call solved,$1))
 # tests/04-sphere/wrong/nearest_root-larger.c answers the exercise nearest_root.
 exercise = $(firstword $(subst -, ,$(notdir $(basename $1))))
-exercises = $(notdir $(basename $(wildcard solutions/$1/*.c)))
+exercises = $(notdir $(basename $(wildcard $(SOLVED)/$1/*.c)))
 variants = $(wildcard tests/$1/wrong/*.c tests/$1/right/*.c)
 
 # ---- commands --------------------------------------------------------------------
@@ -141,7 +154,7 @@ mine-$2: $B/mine/$1
 	@echo "The picture: build/mine/$1.png"
 # T=exercise: that one is the student's and all others are solved, so none is in its way.
 test-$2: $(if $(filter $T,$(call exercises,$1)),$B/one/$1/$T,$B/test-mine/$1)
-	@SOLUTIONS=solutions/$1/ $$<
+	@SOLUTIONS=$(if $(filter solutions,$(SOLVED)),solutions/$1/) $$<
 test-solutions-$2: $B/test/$1
 	@$B/test/$1
 seeds-$2: $B/test/$1
@@ -198,10 +211,55 @@ one: $(ONE)
 measure: $(foreach c,$(CHAPTERS),measure-$(call number,$c))
 	@echo "All tables and plots: build/measure/index.html"
 
-# ---- for those who work on the course ------------------------------------------------
-SOURCES = $(wildcard common/*.[ch] tests/*.[ch] tests/tools/*.c tests/*/*/*.c chapters/*/*.[ch] exercises/*/*.c solutions/*/*.c)
+# ---- the homework -----------------------------------------------------------------------
+# A program of the student's own; a warning does not stop it. It may use anything of the
+# course, so all of it lies in a library: what the student defines comes first, and what is not
+# asked for is left out.
+HW        := $B/homework
+HW_COURSE := $(HW)/course.a
+HW_CHECK  := $(HW)/check
+HW_JUDGES := $(filter-out tests/homework/reference.c,$(wildcard tests/homework/*.c))
+HW_BUILD   = $(CC) $(filter-out -Werror,$(STRICT)) -Wno-unused-parameter $(STOP) $(OPENMP) \
+	-pthread $(STB_CFLAGS) $(CFLAGS)
 
-check: test check-stubs check-variants check-complete check-staircase check-texts check-pictures check-format
+$(HW_COURSE): $(COMMON) $(call modules,$(lastword $(CHAPTERS))) $(call solved,$(lastword $(CHAPTERS)))
+	@mkdir -p $(@D) && rm -f $@ && ar rc $@ $^ && ranlib $@
+$(HW_CHECK): $(patsubst %.c,$B/obj/%.o,tests/homework.c $(HW_JUDGES)) $(CHECK) $(COMMON)
+	$(LINK)
+$(HW)/reference: $(patsubst %,$B/obj/tests/homework/%.o,reference pfm program) $(CHECK) $(COMMON)
+	$(LINK)
+$(HW)/solution: $(patsubst %.c,$B/obj/%.o,$(wildcard solutions/homework/*.c)) $(COMMON)
+	$(LINK)
+
+.PHONY: homework grade handout check-homework homework-reference
+homework: $(HW_CHECK) $(HW_COURSE)
+	@sh tests/tools/homework.sh $(EXERCISES)/homework build/homework $(HW_CHECK) $(HW_COURSE) $(HW_BUILD)
+grade: $(HW_CHECK) $(HW_COURSE)
+	@sh tests/tools/grade.sh "$(SUBMISSIONS)" build/grade $(HW_CHECK) $(HW_COURSE) $(HW_BUILD)
+handout:
+	@sh tests/tools/handout.sh build/handout
+
+# tests/homework/wrong/path-twice.c stands in for path.c of the solution, all-x.c for all of it.
+# With few samples: mistakes must be found without many.
+HW_VARIANTS := $(wildcard tests/homework/wrong/*.c tests/homework/right/*.c)
+HW_PARTS     = $(patsubst %.c,$(HW)/obj/%.o,$(if $(filter all,$(call exercise,$1)),,$(filter-out \
+	solutions/homework/$(call exercise,$1).c,$(wildcard solutions/homework/*.c))))
+$(HW)/obj/%.o: %.c | $B/.setup
+	$(COMPILE) -DSAMPLES=24 -c -o $@ $<
+define homework_rule
+$(HW)/$(basename $1)/raytracer: $(HW)/obj/$(basename $1).o $(call HW_PARTS,$1) $(HW_COURSE)
+	@mkdir -p $$(@D) && $$(CC) $$(STRICT) $$(OPENMP) $$(CFLAGS) -o $$@ $$^ -lm
+endef
+$(foreach f,$(HW_VARIANTS),$(eval $(call homework_rule,$f)))
+check-homework: $(HW_CHECK) $(HW_COURSE) $(HW_VARIANTS:%.c=$(HW)/%/raytracer)
+	@sh tests/tools/homework_check.sh $(HW) $(HW_CHECK) $(HW_COURSE) $(HW_BUILD)
+homework-reference: $(HW)/reference $(HW)/solution $(HW_VARIANTS:%.c=$(HW)/%/raytracer)
+	@sh tests/tools/homework_reference.sh $(HW) tests/homework/reference.pfm
+
+# ---- for those who work on the course ------------------------------------------------
+SOURCES = $(wildcard common/*.[ch] tests/*.[ch] tests/tools/*.c tests/homework/*.[ch] tests/*/*/*.c chapters/*/*.[ch] exercises/*/*.c solutions/*/*.[ch])
+
+check: test check-stubs check-variants check-homework check-complete check-staircase check-texts check-pictures check-format
 	@echo "make check: all is well"
 
 .PHONY: check-stubs check-variants check-complete check-staircase check-texts check-pictures check-format
@@ -260,14 +318,12 @@ clean:
 $B/.setup:
 	@sh tests/tools/setup.sh "$(CC)" "$(STB_CFLAGS)"
 	@mkdir -p $B && touch $@
+# A stub does not use its parameters yet.
 $B/obj/%.o: %.c | $B/.setup
-	$(COMPILE) -c -o $@ $<
-# A stub does not use its parameters yet. A function without prototype or without
-# return compiles, in C, and goes wrong later: it stops here.
-STOP = -Werror=implicit-function-declaration -Werror=return-type
+	$(COMPILE) $(if $(filter $(EXERCISES)/%,$*),-Wno-unused-parameter $(STOP)) -c -o $@ $<
 $(OWN)/%.o: $(EXERCISES)/%.c | $B/.setup
 	$(COMPILE) -Wno-unused-parameter $(STOP) -c -o $@ $<
 $(OWN)/%.o:
 	@echo "error: $(EXERCISES)/$*.c is missing" >&2; exit 1
 
--include $(wildcard $B/obj/*/*.d $B/obj/*/*/*.d $B/obj/*/*/*/*.d $(OWN)/*/*.d)
+-include $(wildcard $(HW)/obj/*/*/*.d $(HW)/obj/*/*/*/*.d $B/obj/*/*.d $B/obj/*/*/*.d $B/obj/*/*/*/*.d $(OWN)/*/*.d)

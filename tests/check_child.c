@@ -84,7 +84,7 @@ static _Noreturn void end_test(const char *letter, const char *message) {
 _Noreturn void test_failed(text *rows, const char *file, int line) {
     if (todo_first()) end_test("t", todo_first());
     if (running_test->hint) text_row(rows, "hint", "%s", running_test->hint);
-    text_row(rows, "at", "%s:%d", file, line);
+    if (file) text_row(rows, "at", "%s:%d", file, line);
     end_test("f", rows->chars);
 }
 

@@ -115,7 +115,7 @@ int child_cpu_limit(bool stuck_before);
 _Noreturn void child_run(const result *r, int printed_end, int verdict_end);
 
 // Ends the test that runs in this process as failed: `rows` say what was given,
-// called, expected and got.
+// called, expected and got. file may be NULL.
 _Noreturn void test_failed(text *rows, const char *file, int line);
 
 // ---- check_verdict.c ------------------------------------------------------
