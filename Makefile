@@ -292,7 +292,7 @@ build/errors/%.$(REAL).csv: $B/measure/%
 	@mv $@.new $@
 
 .PHONY: soak
-soak: $(patsubst %,$B/%,$(filter 09-% 1%,$(CHAPTERS)))
+soak: $(patsubst %,$B/%,$(filter 09-% 10-% 11-%,$(CHAPTERS)))
 	@sh tests/tools/soak.sh $(or $N,1e8) $^
 
 # The OBJ reader and what it needs, in one program with libFuzzer.
