@@ -107,6 +107,8 @@ static void children_on_plane(void) {
         const span yes = i ? s.below : s.above, no = i ? s.above : s.below;
         given_plane((real)1.7, (real)1.7, d, (span){0, 9});
         CHECK(yes.t0 <= 0 && yes.t1 >= 9, "from t = 0 on it is on the side that d points to");
+        CHECK(visited(no) && no.t0 <= 0 && no.t1 >= 0,
+              "t = 0 is in the plane, which belongs to both sides");
         CHECK(!visited(no) || no.t1 <= 0, "and at no t > 0 on the other");
     }
 }

@@ -129,6 +129,7 @@ static void nearest_ends(void) {
         check_at_most(__FILE__, __LINE__, "spent.tests", (double)spent.tests, 12,
                       "the walk ends with the first wall: the cells behind are not asked");
         CHECK(spent.tests > 0 && spent.steps > 0, "steps and tests are counted");
+        CHECK(spent.steps >= 3, "a step is counted for each plane, the root's box being one");
     }
     kd_free(&k);
 }

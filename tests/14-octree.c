@@ -114,10 +114,11 @@ static const char *order_claim(vec3 d, const int order[8]) {
 }
 
 static void check_order(vec3 d) {
-    int order[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    int order[10] = {-1, -1, -1, -1, -1, -1, -1, -1, -77, -77};
     order_children(d, order);
     given("d = " VEC ": order %d %d %d %d %d %d %d %d", ARG(d), order[0], order[1], order[2],
           order[3], order[4], order[5], order[6], order[7]);
+    CHECK(order[8] == -77 && order[9] == -77, "nothing is written behind order[7]");
     CHECK(is_permutation(order), "each child once");
     CHECK(is_front_to_back(d, order), order_claim(d, order));
 }
@@ -733,7 +734,8 @@ int main(void) {
         {"octree_nearest: none, one and two triangles", nearest_few, walk},
         {"octree_nearest: a soup", nearest_soup, walk},
         {"octree_nearest: a component of d is -0", nearest_minus_zero,
-         "The sign of -0 is that of 1/d: aabb_hit knows, a comparison d < 0 does not."},
+         "Did you write a slab test of your own? aabb_hit knows about -0. In order_children "
+         "either half may come first."},
         {"octree_nearest: from inside", nearest_inside, walk},
         {"octree_nearest: ties", nearest_ties, "leaf_triangles settles ties, if it is asked."},
         {"octree_nearest: no more cells than needed", nearest_steps,
