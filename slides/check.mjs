@@ -84,6 +84,7 @@ for (const language of languages) {
         tall: Math.round(Math.max(0, ...low.map((r) => r.bottom - bottom)) / scale),
         wide: Math.round(Math.max(0, ...low.map((r) => r.right - right)) / scale),
         broken,
+        dollars: /\$/.test(s.textContent),
         errors: s.querySelectorAll('mjx-merror, [data-mml-node="merror"], [data-mjx-error]').length,
       };
     }));
@@ -92,6 +93,7 @@ for (const language of languages) {
     const where = `${language}, page ${i + 1} (${s.title})`;
     if (s.tall > 0) say(`${where}: ${s.tall} pixels too tall`);
     if (s.wide > 0) say(`${where}: ${s.wide} pixels too wide`);
+    if (s.dollars) say(`${where}: a formula is shown as text: a blank beside its $`);
     if (s.errors) say(`${where}: a formula is broken`);
     for (const b of s.broken) say(`${where}: a picture is not shown: ${b}`);
   });
