@@ -1,0 +1,104 @@
+// check.mjs OUT: do both decks say the same, does no slide overflow, is no figure missing?
+// OUT holds the built decks. Prints what is wrong, one line each, and exits with 1.
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import puppeteer from 'puppeteer-core';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const out = resolve(process.argv[2]);
+const languages = ['en', 'sv'];
+let wrong = 0;
+const say = (line) => {
+  wrong++;
+  console.log(`slides: ${line}`);
+};
+
+// ---- what the sources say --------------------------------------------------------------
+
+const all = (text, pattern) => [...text.matchAll(pattern)].map((m) => m[0].replace(/\s+/g, ' '));
+
+function slide(text) {
+  const comments = all(text, /<!--[\s\S]*?-->/g);
+  const seen = text.replace(/<!--[\s\S]*?-->/g, '');
+  const code = all(seen, /```[\s\S]*?```/g);
+  const prose = seen.replace(/```[\s\S]*?```/g, '');
+  const words = /\\text\{[^}]*\}/g; // words in a formula are the language's own
+  return {
+    kind: comments.filter((c) => c.includes('_class')).join(),
+    figures: all(prose, /!\[[^\]]*\]\([^)]*\)/g),
+    formulas: all(prose, /\$\$[\s\S]*?\$\$|\$[^$]*\$/g).map((f) => f.replace(words, '')),
+    code,
+    notes: comments.filter((c) => !c.includes('_class')),
+  };
+}
+
+function read(language, name) {
+  const source = readFileSync(join(here, language, name), 'utf8');
+  return source.split(/\n---\n/).map(slide);
+}
+
+const names = languages.map((l) => readdirSync(join(here, l)).filter((n) => n.endsWith('.md')).sort());
+if (names[0].join() !== names[1].join()) say(`en/ and sv/ have different files: ${names.join(' | ')}`);
+
+for (const name of names[0].filter((n) => names[1].includes(n))) {
+  const [en, sv] = languages.map((l) => read(l, name));
+  if (en.length !== sv.length) say(`${name}: ${en.length} slides in English, ${sv.length} in Swedish`);
+  for (let i = 0; i < Math.min(en.length, sv.length); i++)
+    for (const part of ['kind', 'figures', 'formulas', 'code'])
+      if (String(en[i][part]) !== String(sv[i][part]))
+        say(`${name}, slide ${i + 1}: the ${part} differ: ${en[i][part]} | ${sv[i][part]}`);
+  for (const [language, slides] of [['en', en], ['sv', sv]])
+    slides.forEach((s, i) => {
+      const time = language === 'en' ? /Time: \d/ : /Tid: \d/;
+      if (!s.notes.some((n) => time.test(n))) say(`${language}/${name}, slide ${i + 1}: no notes with a time`);
+      for (const f of s.figures) {
+        const path = join(here, language, f.match(/\(([^)]*)\)/)[1]);
+        if (!existsSync(path)) say(`${language}/${name}, slide ${i + 1}: there is no ${path}`);
+      }
+    });
+}
+
+// ---- what the browser shows ---------------------------------------------------------------
+
+const browser = await puppeteer.launch({
+  executablePath: process.env.CHROME_PATH || '/usr/bin/chromium',
+  args: ['--no-sandbox', '--allow-file-access-from-files'],
+});
+let count = 0;
+for (const language of languages) {
+  const page = await browser.newPage();
+  await page.goto(pathToFileURL(join(out, `${language}.html`)).href, { waitUntil: 'networkidle0' });
+  const slides = await page.$$eval('section[id]', (sections) =>
+    sections.map((s) => {
+      const box = s.getBoundingClientRect(), scale = box.height / s.offsetHeight;
+      const style = getComputedStyle(s);
+      const bottom = box.bottom - (parseFloat(style.paddingBottom) * scale) / 2;
+      const right = box.right - (parseFloat(style.paddingRight) * scale) / 2;
+      const low = [...s.querySelectorAll('*')]
+        .filter((e) => !e.closest('mjx-assistive-mml') && e.getClientRects().length)
+        .map((e) => e.getBoundingClientRect());
+      const broken = [...s.querySelectorAll('img')].filter((i) => !i.naturalWidth).map((i) => i.src);
+      return {
+        title: (s.querySelector('h1, h2') || s).textContent.trim().slice(0, 40),
+        tall: Math.round(Math.max(0, ...low.map((r) => r.bottom - bottom)) / scale),
+        wide: Math.round(Math.max(0, ...low.map((r) => r.right - right)) / scale),
+        broken,
+        dollars: /\$/.test(s.textContent),
+        errors: s.querySelectorAll('mjx-merror, [data-mml-node="merror"], [data-mjx-error]').length,
+      };
+    }));
+  slides.forEach((s, i) => {
+    count++;
+    const where = `${language}, page ${i + 1} (${s.title})`;
+    if (s.tall > 0) say(`${where}: ${s.tall} pixels too tall`);
+    if (s.wide > 0) say(`${where}: ${s.wide} pixels too wide`);
+    if (s.dollars) say(`${where}: a formula is shown as text: a blank beside its $`);
+    if (s.errors) say(`${where}: a formula is broken`);
+    for (const b of s.broken) say(`${where}: a picture is not shown: ${b}`);
+  });
+  await page.close();
+}
+await browser.close();
+if (wrong) process.exit(1);
+console.log(`slides: ${count} pages say the same in both languages, and none overflows`);
