@@ -15,6 +15,7 @@
 #: make test        every chapter's tests, on the solutions;  TAP=1;  JUNIT=file
 #: make measure-04  error and cost of the chapter's variants: a table, CSV, plots
 #: make measure     the same for all, and one page: build/measure/index.html
+#: make slides      both decks, HTML and PDF, build/slides/: needs npm and chromium
 #: make clean       remove build/
 #:
 #: For those who work on the course:
@@ -256,8 +257,23 @@ check-homework: $(HW_CHECK) $(HW_COURSE) $(HW_VARIANTS:%.c=$(HW)/%/raytracer)
 homework-reference: $(HW)/reference $(HW)/solution $(HW_VARIANTS:%.c=$(HW)/%/raytracer)
 	@sh tests/tools/homework_reference.sh $(HW) tests/homework/reference.pfm
 
+# ---- the slides ------------------------------------------------------------------------
+# Marp from npm makes HTML and PDF with chromium. Figures are drawn by a program of their own.
+$B/slides-figures: $(patsubst %.c,$B/obj/%.o,$(wildcard slides/figures/*.c)) \
+		$(call modules,11-fresnel) $(call solved,11-fresnel) $(COMMON)
+	$(LINK)
+slides/node_modules/.package-lock.json: slides/package-lock.json
+	@cd slides && PUPPETEER_SKIP_DOWNLOAD=1 npm ci --no-audit --no-fund
+.PHONY: slides check-slides
+slides: $B/slides-figures slides/node_modules/.package-lock.json
+	@mkdir -p build/slides/figures && $< build/slides/figures
+	@sh slides/build.sh build/slides
+	@echo "The decks: build/slides/en.html, en.pdf, sv.html, sv.pdf"
+check-slides: slides
+	@node slides/check.mjs build/slides
+
 # ---- for those who work on the course ------------------------------------------------
-SOURCES = $(wildcard common/*.[ch] tests/*.[ch] tests/tools/*.c tests/homework/*.[ch] tests/*/*/*.c chapters/*/*.[ch] exercises/*/*.c solutions/*/*.[ch])
+SOURCES = $(wildcard slides/figures/*.[ch] common/*.[ch] tests/*.[ch] tests/tools/*.c tests/homework/*.[ch] tests/*/*/*.c chapters/*/*.[ch] exercises/*/*.c solutions/*/*.[ch])
 
 check: test check-stubs check-variants check-homework check-complete check-staircase check-texts check-pictures check-format
 	@echo "make check: all is well"

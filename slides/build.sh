@@ -1,7 +1,9 @@
 #!/bin/sh
-# build.sh OUT: both decks as HTML and PDF in OUT. Needs npm's packages (npm ci) and chromium.
+# build.sh OUT: both decks as HTML and PDF in OUT. Needs npm's packages (npm ci) and chromium;
+# LANGUAGES=en for one of them, CHROME_PATH for a browser elsewhere.
 out=$1
 here=$(dirname "$0")
+export CHROME_PATH="${CHROME_PATH:-$(command -v chromium || command -v google-chrome)}"
 fail() {
     echo "slides: $1" >&2
     exit 1

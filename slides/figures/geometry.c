@@ -22,8 +22,8 @@ void camera_figure(const char *folder) {
     const double f = 1.8, r = 0.75;
     enum { ROWS = 8 };
     for (int i = 0; i <= ROWS; i++)
-        svg_line(&d, (point){f - 0.06, 1.2 - 2.4 * i / ROWS}, (point){f + 0.06, 1.2 - 2.4 * i / ROWS},
-                 OBJECT);
+        svg_line(&d, (point){f - 0.06, 1.2 - 2.4 * i / ROWS},
+                 (point){f + 0.06, 1.2 - 2.4 * i / ROWS}, OBJECT);
     svg_line(&d, (point){f, -1.2}, (point){f, 1.2}, OBJECT);
     svg_circle(&d, c, r, OBJECT, PALE);
     const point b = {f, 1.2 - 2.4 * 3.5 / ROWS}; // the middle of a pixel
@@ -52,7 +52,8 @@ void backwards_figure(const char *folder) {
     for (int i = 0; i < RAYS; i++) {
         const double angle = 2 * PI * (i + 0.3) / RAYS;
         const point u = {cos(angle), sin(angle)};
-        const real t = plane_hit((plane){{0, 0, 0}, {0, 1, 0}}, (ray){vec(lamp), vec(u)}, 0, NO_HIT);
+        const real t =
+            plane_hit((plane){{0, 0, 0}, {0, 1, 0}}, (ray){vec(lamp), vec(u)}, 0, NO_HIT);
         svg_arrow(&d, plus(lamp, 0.15, u), plus(lamp, t < 3 ? (double)t : 1.1, u), LIGHT);
     }
     svg_circle(&d, lamp, 0.12, LIGHT, WARM);
@@ -222,8 +223,8 @@ void loop_figure(const char *folder) {
             if (ti < t) t = ti, which = i;
         }
         const vec3 end = ray_at(r, which < 0 ? (real)1.2 : t);
-        svg_arrow(&d, (point){(double)r.O.x, (double)r.O.y}, (point){(double)end.x, (double)end.y},
-                  RAY);
+        svg_arrow(&d, (point){(double)r.O.x, (double)r.O.y},
+                  (point){(double)end.x, (double)end.y}, RAY);
         if (which < 0) break;
         r = (ray){end, reflect(r.d, sphere_surface(balls[which], r, t).n)};
     }

@@ -32,10 +32,11 @@ drawing svg_begin(const char *folder, const char *name, point low, point high, d
     FILE *file = fopen(path, "w");
     if (!file) die(EXIT_RUN, "%s: %s", path, strerror(errno));
     const double scale = width / (high.x - low.x), height = scale * (high.y - low.y);
-    fprintf(file,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" "
-            "height=\"%.0f\">\n",
-            width, height, width, height);
+    fprintf(
+        file,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" "
+        "height=\"%.0f\">\n",
+        width, height, width, height);
     return (drawing){file, low.x, high.y, scale};
 }
 
@@ -45,7 +46,8 @@ void svg_end(drawing *d) {
 }
 
 void svg_line(drawing *d, point a, point b, pen p) {
-    fprintf(d->file, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke-linecap=\"round\"",
+    fprintf(d->file,
+            "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke-linecap=\"round\"",
             px(d, a.x), py(d, a.y), px(d, b.x), py(d, b.y));
     stroke(d, p);
     fputs("/>\n", d->file);
@@ -53,7 +55,8 @@ void svg_line(drawing *d, point a, point b, pen p) {
 
 void svg_arrow(drawing *d, point from, point to, pen p) {
     enum { HEAD = 14 }; // pixels
-    const double x = px(d, to.x), y = py(d, to.y), dx = x - px(d, from.x), dy = y - py(d, from.y);
+    const double x = px(d, to.x), y = py(d, to.y), dx = x - px(d, from.x),
+                 dy = y - py(d, from.y);
     const double l = hypot(dx, dy), u = dx / l, v = dy / l;
     const point neck = {to.x - HEAD * 0.8 * u / d->scale, to.y + HEAD * 0.8 * v / d->scale};
     svg_line(d, from, neck, p);
@@ -78,17 +81,18 @@ void svg_arc(drawing *d, point c, double r, double from, double to, pen p) {
     fputs("/>\n", d->file);
 }
 
-void svg_polygon(drawing *d, const point *p, int count, pen pen, const char *fill) {
+void svg_polygon(drawing *d, const point *p, int count, pen how, const char *fill) {
     fputs("<polygon points=\"", d->file);
-    for (int i = 0; i < count; i++) fprintf(d->file, "%.1f,%.1f ", px(d, p[i].x), py(d, p[i].y));
+    for (int i = 0; i < count; i++)
+        fprintf(d->file, "%.1f,%.1f ", px(d, p[i].x), py(d, p[i].y));
     fprintf(d->file, "\" fill=\"%s\" stroke-linejoin=\"round\"", fill);
-    stroke(d, pen);
+    stroke(d, how);
     fputs("/>\n", d->file);
 }
 
-void svg_box(drawing *d, point low, point high, pen pen, const char *fill) {
+void svg_box(drawing *d, point low, point high, pen how, const char *fill) {
     const point corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
-    svg_polygon(d, corners, 4, pen, fill);
+    svg_polygon(d, corners, 4, how, fill);
 }
 
 void svg_dot(drawing *d, point at, pen p) {
@@ -106,7 +110,8 @@ static void begin_text(drawing *d, point at, double dx, double dy, const char *s
 void svg_symbol(drawing *d, point at, double dx, double dy, const char *text) {
     const char *below = strchr(text, '_');
     begin_text(d, at, dx, dy, " font-style=\"italic\"");
-    if (!below) fprintf(d->file, "%s</text>\n", text);
+    if (!below)
+        fprintf(d->file, "%s</text>\n", text);
     else
         fprintf(d->file, "%.*s<tspan font-size=\"%d\" dy=\"8\">%s</tspan></text>\n",
                 (int)(below - text), text, (int)(FONT * 0.7), below + 1);

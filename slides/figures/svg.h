@@ -26,8 +26,8 @@ void svg_line(drawing *d, point a, point b, pen p);
 void svg_arrow(drawing *d, point from, point to, pen p);
 void svg_circle(drawing *d, point c, double r, pen p, const char *fill);
 void svg_arc(drawing *d, point c, double r, double from, double to, pen p); // radians
-void svg_polygon(drawing *d, const point *p, int count, pen pen, const char *fill);
-void svg_box(drawing *d, point low, point high, pen pen, const char *fill);
+void svg_polygon(drawing *d, const point *p, int count, pen how, const char *fill);
+void svg_box(drawing *d, point low, point high, pen how, const char *fill);
 void svg_dot(drawing *d, point at, pen p);
 // A symbol in italics beside the point, moved by (dx, dy) letters; "_" begins an index.
 void svg_symbol(drawing *d, point at, double dx, double dy, const char *text);

@@ -174,7 +174,8 @@ static void link_down(drawing *d, point from, point to) {
 
 void flat_figure(const char *folder) {
     drawing d = svg_begin(folder, "flat", (point){-0.3, -0.3}, (point){9.3, 4.4}, 950);
-    static const point at[] = {{4.6, 4}, {2.6, 3}, {6.6, 3}, {1.6, 2}, {3.4, 2}, {5.7, 2}, {7.5, 2}};
+    static const point at[] = {{4.6, 4}, {2.6, 3}, {6.6, 3}, {1.6, 2},
+                               {3.4, 2}, {5.7, 2}, {7.5, 2}};
     static const int parent[] = {-1, 0, 0, 1, 1, 2, 2};
     static const char *names[] = {"A", "B", "C", "D", "E", "F", "G"};
     static const int order[] = {0, -1, 1, 2, 3, 4, 5, 6};
@@ -185,8 +186,7 @@ void flat_figure(const char *folder) {
     }
     for (int i = 0; i < 8; i++) {
         const point low = {0.5 + i, 0.1}, high = {1.5 + i, 0.9};
-        svg_box(&d, low, high, OBJECT,
-                order[i] < 0 ? NO_FILL : order[i] < 3 ? PALE : WARM);
+        svg_box(&d, low, high, OBJECT, order[i] < 0 ? NO_FILL : order[i] < 3 ? PALE : WARM);
         if (order[i] >= 0) svg_symbol(&d, (point){1 + i, 0.5}, 0, 0, names[order[i]]);
     }
     svg_end(&d);
@@ -215,8 +215,10 @@ static void draw_kd(drawing *d, const thing *t, box cell, int depth) {
         const double share = (double)(i % TRIES) / TRIES;
         if (share == 0) continue;
         box a = cell, b = cell;
-        if (i < TRIES) a.high.x = b.low.x = cell.low.x + share * (cell.high.x - cell.low.x);
-        else a.high.y = b.low.y = cell.low.y + share * (cell.high.y - cell.low.y);
+        if (i < TRIES)
+            a.high.x = b.low.x = cell.low.x + share * (cell.high.x - cell.low.x);
+        else
+            a.high.y = b.low.y = cell.low.y + share * (cell.high.y - cell.low.y);
         const double c = touching(t, a) * around(a) + touching(t, b) * around(b);
         if (c < best) best = c, l = a, r = b;
     }
