@@ -68,10 +68,10 @@ static const point stations[] = {{0.4, 1.2}, {1.5, 0}, {5, 2.4}, {3.9, 3.4}, {3.
 void path_figure(const char *folder) {
     drawing d = svg_begin(folder, "path", (point){-0.3, -0.3}, (point){5.3, 3.7}, 720);
     draw_room(&d);
-    const point lamp = {2.6, 3.3};
+    const point above = {2.6, 3.3};
     for (int i = 0; i + 1 < 4; i++) svg_arrow(&d, stations[i], stations[i + 1], RAY);
     svg_arrow(&d, stations[3], stations[4], RAY);
-    svg_arrow(&d, stations[4], lamp, RAY);
+    svg_arrow(&d, stations[4], above, RAY);
     for (int i = 1; i < 5; i++) svg_dot(&d, stations[i], RAY);
     svg_end(&d);
 }

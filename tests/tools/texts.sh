@@ -93,5 +93,8 @@ for chapter in "$@"; do
         bad=1
     fi
 done
+for deck in slides/*/*.md; do
+    blocks "$deck" || bad=1
+done
 [ "$bad" -eq 0 ] && echo "texts: C blocks stand in the code, measured tables are what is measured"
 exit "$bad"
