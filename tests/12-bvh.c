@@ -1,7 +1,7 @@
 // Tests of 12-bvh: the exercises, the tree, the shapes and the reader of OBJ files.
 #include "tests/12-bvh-build.h"
-#include "tests/12-bvh-shapes.h"
 #include "tests/12-bvh-obj.h"
+#include "tests/12-bvh-shapes.h"
 
 int main(void) {
     static const test tests[] = {
