@@ -1,7 +1,7 @@
 // Tests of 12-bvh: the exercises, the tree, the shapes and the reader of OBJ files.
 #include "tests/12-bvh-build.h"
-#include "tests/12-bvh-shapes.h"
 #include "tests/12-bvh-obj.h"
+#include "tests/12-bvh-shapes.h"
 
 int main(void) {
     static const test tests[] = {
@@ -58,6 +58,9 @@ int main(void) {
         {"bvh_nearest: effort", nearest_effort,
          "One step for each box asked, the tests by leaf_nearest; a box that is missed is not "
          "looked into."},
+        {"bvh_nearest: effort, in order", nearest_order,
+         "The nearer child first. found.limit is t_max for every box that is asked; and what "
+         "waits is dropped when its turn comes and it begins beyond the limit."},
         {"bvh_nearest: no leak", nearest_sealed,
          "A ray at an edge passes boxes at their edges: are all looked into?"},
         {"bvh_any: by hand", any_by_hand,
