@@ -98,22 +98,38 @@ static slab_case enlarged(slab_case c) {
 }
 
 #define SLAB_CALL "aabb_hit(box, r, t_min, t_max, &enter)"
+#define NOT_WRITTEN ((real)-12345) // what *enter is before the call
+
+// The latest that is allowed is where the ray is in the box.
+static void check_not_late(real enter, double want) {
+    const bool nearly = enter <= want * (1 + SLAB_SLACK);
+    if (!nearly) return;
+    hint_instead("*enter is too late by its roundings, and a hit just there would be given up: "
+                 "move it outwards by what they may be (near_scale and near_offset do so; or a "
+                 "factor 1 - 2 rounding_bound(…) on it).");
+    suspect_value("the entry is not moved outwards by its roundings", (double)enter);
+    check_at_most(__FILE__, __LINE__, "*enter of " SLAB_CALL, (double)enter, want,
+                  "the ray is in the box from there on");
+}
 
 static void check_enter(const slab_case *c, real enter, double want, const char *note) {
     const slab_case larger = enlarged(*c);
     const double earliest = span_of(&larger).from * (1 - SLAB_SLACK);
     if (enter <= want * (1 + 1e-14) && enter >= earliest) return;
     given_slabs(c, note);
+    if (enter == NOT_WRITTEN) {
+        hint_instead("*enter must be written whenever the answer is true.");
+        suspect_value("*enter was not written", (double)NOT_WRITTEN);
+    }
+    if (enter > want) check_not_late(enter, want);
     suspect_value("t_min, though the ray enters later", (double)c->t_min);
     suspect_value("where the ray leaves the box", span_of(c).to);
     check_real(__FILE__, __LINE__, "*enter of " SLAB_CALL, (double)enter, want,
                absolute_of(want - earliest, "a few roundings of t and of the coordinates"));
-    CHECK(enter <= want,
-          "*enter is not later than that, by rounding: the box may hold a hit there");
 }
 
 static void check_slabs(const slab_case *c, const char *note) {
-    real enter = -1;
+    real enter = NOT_WRITTEN;
     const bool got = slabs_met(c, &enter);
     const span t = span_of(c);
     if (truly_met(c, t, 0)) {
@@ -127,6 +143,8 @@ static void check_slabs(const slab_case *c, const char *note) {
     const slab_case larger = enlarged(*c);
     if (!got || truly_met(&larger, span_of(&larger), SLAB_SLACK)) return;
     given_slabs(c, note);
+    hint_instead("The ray passes this box. Are all three axes asked, t_min and t_max too? Made "
+                 "longer by how much? The bound on the roundings is relative to t.");
     check_bool(__FILE__, __LINE__, SLAB_CALL, got, false);
 }
 
@@ -228,7 +246,7 @@ static void check_kind(rng *g, int rays, slab_kind k, const char *note) {
 // ---- tests ------------------------------------------------------------------------------
 
 static void check_by_hand(slab_case c, bool met_there, double enter, const char *note) {
-    real got = -1;
+    real got = NOT_WRITTEN;
     const bool met = slabs_met(&c, &got);
     given_slabs(&c, note);
     check_bool(__FILE__, __LINE__, SLAB_CALL, met, met_there);

@@ -58,6 +58,9 @@ int main(void) {
         {"bvh_nearest: effort", nearest_effort,
          "One step for each box asked, the tests by leaf_nearest; a box that is missed is not "
          "looked into."},
+        {"bvh_nearest: effort, in order", nearest_order,
+         "The nearer child first. found.limit is t_max for every box that is asked; and what "
+         "waits is dropped when its turn comes and it begins beyond the limit."},
         {"bvh_nearest: no leak", nearest_sealed,
          "A ray at an edge passes boxes at their edges: are all looked into?"},
         {"bvh_any: by hand", any_by_hand,

@@ -48,12 +48,15 @@ void given(const char *format, ...) __attribute__((format(printf, 1, 2)));
 #define VEC "(%.9g, %.9g, %.9g)"
 #define ARG(v) (double)(v).x, (double)(v).y, (double)(v).z
 
-// Tell-tale answers: when got equals `value`, or expected times `factor`, the
+// Tell-tale answers, also of CHECK_AT_MOST (within 2 %): when got equals `value`, or expected times `factor`, the
 // message says that it looks like `what`. Signs, 2, π, cosine-free factors and
 // swapped axes are known without asking.
 void suspect_value(const char *what, double value);
 void suspect_vec3(const char *what, vec3 value);
 void suspect_factor(const char *what, double factor);
+
+// A hint in place of the test's own, until something else is given: about this failure.
+void hint_instead(const char *hint);
 
 // How far got may lie from expected, and why that is fair.
 typedef struct {

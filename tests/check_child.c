@@ -83,7 +83,8 @@ static _Noreturn void end_test(const char *letter, const char *message) {
 
 _Noreturn void test_failed(text *rows, const char *file, int line) {
     if (todo_first()) end_test("t", todo_first());
-    if (running_test->hint) text_row(rows, "hint", "%s", running_test->hint);
+    const char *hint = hint_given() ? hint_given() : running_test->hint;
+    if (hint) text_row(rows, "hint", "%s", hint);
     if (file) text_row(rows, "at", "%s:%d", file, line);
     end_test("f", rows->chars);
 }

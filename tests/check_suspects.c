@@ -21,6 +21,7 @@ static struct {
     char given[2048];
     suspect suspects[16];
     int count;
+    const char *hint; // or NULL: the test's
 } about;
 
 void given(const char *format, ...) {
@@ -31,6 +32,15 @@ void given(const char *format, ...) {
     for (char *minus; (minus = strstr(about.given, "-nan"));)
         memmove(minus, minus + 1, strlen(minus));
     about.count = 0;
+    about.hint = NULL;
+}
+
+void hint_instead(const char *hint) {
+    about.hint = hint;
+}
+
+const char *hint_given(void) {
+    return about.hint;
 }
 
 const char *given_text(void) {

@@ -106,16 +106,20 @@ static bool agrees(double got, double expected, double slack) {
     return isfinite(got) && isfinite(expected) && fabs(got - expected) <= slack;
 }
 
+// As floats they may look alike: show what differs.
+static void tell_apart(short_text *one, double a, short_text *other, double b) {
+    if (strcmp(one->chars, other->chars) != 0) return;
+    snprintf(one->chars, sizeof one->chars, "%.17g", a);
+    snprintf(other->chars, sizeof other->chars, "%.17g", b);
+}
+
 void check_real(const char *file, int line, const char *call, double got, double expected,
                 allowance allowed) {
     if (agrees(got, expected, allowance_slack(allowed, expected))) return;
     const char *likely = diagnose_real(got, expected, allowed);
     text t = message_about(call);
     short_text want = text_number(expected), have = text_number(got);
-    if (strcmp(want.chars, have.chars) == 0) { // as floats they are: show what differs
-        snprintf(want.chars, sizeof want.chars, "%.17g", expected);
-        snprintf(have.chars, sizeof have.chars, "%.17g", got);
-    }
+    tell_apart(&want, expected, &have, got);
     add_answers(&t, want.chars, have.chars, fabs(got - expected), fabs(expected));
     add_allowed(&t, allowed, expected);
     if (likely) text_row(&t, "looks like", "%s", likely);
@@ -168,9 +172,14 @@ void check_at_most(const char *file, int line, const char *call, double got, dou
                    const char *why) {
     if (got <= bound) return; // false for NaN
     text t = message_about(call);
-    text_row(&t, "expected", "at most %s (%s)", text_number(bound).chars, why);
-    text_row(&t, "got", "%s", text_number(got).chars);
-    if (!isfinite(got)) text_row(&t, "looks like", "%s", diagnose_odd(got, 0));
+    short_text most = text_number(bound), have = text_number(got);
+    tell_apart(&most, bound, &have, got);
+    text_row(&t, "expected", "at most %s (%s)", most.chars, why);
+    text_row(&t, "got", "%s", have.chars);
+    const char *likely = isfinite(got)
+                             ? suspected_real(got, bound, (aim){fabs(got - bound), 2e-2})
+                             : diagnose_odd(got, 0);
+    if (likely) text_row(&t, "looks like", "%s", likely);
     test_failed(&t, file, line);
 }
 

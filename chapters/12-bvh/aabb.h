@@ -118,7 +118,7 @@ static inline real times_plus(real a, real b, real c) {
 
 // Exercise: exercises/12-bvh/aabb_hit.c
 // Does the ray meet the box at any t in [t_min, t_max], 0 <= t_min? Then *enter is where it comes
-// in, or earlier by a few roundings of t, O and the box: never beyond a hit in the box. Never
+// in, t_min if it is in the box already then, or earlier by a few roundings of t, O and the box: never beyond a hit in the box. Never
 // misses what an exact test would hit, also in a face (for a length of 1e12), along an edge, with
 // d = ±0, in flat boxes and at t_max; it may hit boxes that the ray passes within those roundings.
 // t_max may be INFINITY. False for an empty box. Coordinates, |d| and t that are not 0 must lie well

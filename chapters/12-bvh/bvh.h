@@ -101,7 +101,7 @@ int split_at(bvh_item *items, int count, int axis, real middle);
 // The expected cost of a node with the box `box` whose n_l and n_r triangles go into the boxes
 // l and r: C_step + C_hit (n_l A_l + n_r A_r) / A. The slide's c, in units in which
 // it can be compared with n C_hit, a leaf's. A > 0; without area any number, or NaN.
-enum { C_STEP = 1, C_HIT = 1 };
+enum { C_STEP = 1, C_HIT = 1 }; // a pair of boxes asked; a triangle asked
 real sah_cost(aabb box, int n_l, aabb l, int n_r, aabb r);
 
 // The nearest hit, as mesh_hit gives it: t_min < t < t_max, 0 <= t_min, of two equally near

@@ -12,6 +12,7 @@ bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *
     const real far_x = (side[r->far[0]] - r->O.x) * r->inverse.x,
                far_y = (side[r->far[1]] - r->O.y) * r->inverse.y,
                far_z = (side[r->far[2]] - r->O.z) * r->inverse.z;
-    *enter = greater(near_z, greater(near_y, greater(near_x, t_min)));
+    *enter =
+        (1 - 2 * rounding_bound(4)) * greater(near_z, greater(near_y, greater(near_x, t_min)));
     return *enter <= lesser(far_z, lesser(far_y, lesser(far_x, t_max))) + LONGER;
 }

@@ -1,5 +1,5 @@
 // Wrong: only the exits are made later, by themselves: *enter may be beyond t_max, or beyond a hit.
-// Expect: Entry and exit are nearly equal, and both are rounded
+// Expect: the entry is not moved outwards by its roundings
 #include "chapters/12-bvh/aabb.h"
 
 #define LATER (1 + 2 * rounding_bound(3))

@@ -15,6 +15,6 @@ bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *
         from = greater(in, from);
         to = lesser(out, to);
     }
-    *enter = from;
+    *enter = from * (1 - 8 * REAL_EPSILON);
     return from <= to * (1 + 8 * REAL_EPSILON);
 }

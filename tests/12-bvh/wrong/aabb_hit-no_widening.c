@@ -1,5 +1,5 @@
 // Wrong: the interval is not made longer by its roundings.
-// Expect: Entry and exit are nearly equal, and both are rounded
+// Expect: the entry is not moved outwards by its roundings
 #include "chapters/12-bvh/aabb.h"
 
 bool aabb_hit(const aabb *box, const slab_ray *r, real t_min, real t_max, real *enter) {

@@ -1,4 +1,5 @@
-// Right: in the order of the array, boxes asked when they are taken: right, and slower.
+// Wrong: every box that the ray meets is looked into: right hits, more work.
+// Expect: all boxes are looked into that the ray meets
 #include "chapters/12-bvh/leaf.h"
 
 triangle_point bvh_nearest(const bvh *b, ray r, real t_min, real t_max, int *index,
@@ -11,7 +12,7 @@ triangle_point bvh_nearest(const bvh *b, ray r, real t_min, real t_max, int *ind
         const bvh_node *n = &b->nodes[stack[--top]];
         real t;
         if (spent) spent->steps++;
-        if (!aabb_hit(&n->box, &s, t_min, found.limit, &t)) continue;
+        if (!aabb_hit(&n->box, &s, t_min, t_max, &t)) continue;
         if (n->count) {
             leaf_nearest(b, n, r, t_min, &found, spent);
             continue;
