@@ -218,12 +218,15 @@ TIMED_SLAB(min_and_max)
 TIMED_SLAB(strictly)
 TIMED_SLAB(by_sign)
 TIMED_SLAB(by_sign_exit)
+TIMED_SLAB(by_sign_both)
 TIMED_SLAB(aabb_hit)
 
 static void measure_slabs(void) {
     static const timed runs[] = {{"", run_divide_and_swap}, {"", run_min_and_max},
                                  {"", run_strictly},        {"", run_by_sign},
-                                 {"", run_by_sign_exit},    {"", run_aabb_hit}};
+                                 {"", run_by_sign_exit},    {"", run_by_sign_both},
+                                 {"", run_aabb_hit}};
+    _Static_assert(COUNT(runs) == COUNT(slabs), "every variant is timed");
     static slab_cases s;
     double ns[COUNT(slabs)];
     rng g = rng_seed(12, 99);
