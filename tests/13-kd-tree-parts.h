@@ -37,6 +37,14 @@ static void given_plane(real split, real O, real d, span in) {
 #define NEAR_PART "kd_children(plane, O, 1 / d, in).near"
 #define FAR_PART "kd_children(plane, O, 1 / d, in).far"
 
+// The same, with the answer: what is below the plane and what above.
+static void given_answer(real split, real O, real d, span in, sides_of_ray s) {
+    given("the plane at %.9g; along its axis O = %.9g, d = %.9g; in the cell for t = %.9g to "
+          "%.9g\nyour answer: below for t = %.9g to %.9g, above for t = %.9g to %.9g",
+          (double)split, (double)O, (double)d, (double)in.t0, (double)in.t1, (double)s.below.t0,
+          (double)s.below.t1, (double)s.above.t0, (double)s.above.t1);
+}
+
 // Both children, the one below first (0) or the one above (1), parted at t.
 static void check_both(real split, real O, real d, span in, int first, double t) {
     const kd_order o = kd_children(split, O, 1 / d, in);
@@ -92,7 +100,7 @@ static void children_along(void) {
         check_one(3, 1, d, in, 0, "along the plane, below it");
         check_one(3, 5, d, in, 1, "along the plane, above it");
         const sides_of_ray s = asked(3, 3, d, in);
-        given_plane(3, 3, d, in);
+        given_answer(3, 3, d, in, s);
         CHECK(s.below.t0 <= in.t0 && s.below.t1 >= in.t1 && s.above.t0 <= in.t0 &&
                   s.above.t1 >= in.t1,
               "a ray in the plane is in both children all the way");
@@ -105,7 +113,7 @@ static void children_on_plane(void) {
         const real d = i ? (real)-0.3 : (real)0.3;
         const sides_of_ray s = asked((real)1.7, (real)1.7, d, (span){0, 9});
         const span yes = i ? s.below : s.above, no = i ? s.above : s.below;
-        given_plane((real)1.7, (real)1.7, d, (span){0, 9});
+        given_answer((real)1.7, (real)1.7, d, (span){0, 9}, s);
         CHECK(yes.t0 <= 0 && yes.t1 >= 9, "from t = 0 on it is on the side that d points to");
         CHECK(visited(no) && no.t0 <= 0 && no.t1 >= 0,
               "t = 0 is in the plane, which belongs to both sides");
@@ -113,25 +121,35 @@ static void children_on_plane(void) {
     }
 }
 
+static const char *const no_part =
+    "There the ray has no part of the cell: wrong order, or widened by more than roundings?";
+static const char *const cut_short =
+    "Right order? Then widen: what lies before the plane ends a little later, what lies behind "
+    "begins a little earlier (KD_LATER, KD_EARLIER).";
+
 // The reference: where is O + t d <= split, where >=, without rounding.
 static void check_spans(real split, real O, real d, span in) {
     const exact t = ((exact)split - O) / d;
     const exact t0 = in.t0, t1 = in.t1, slack = t_slack;
     const sides_of_ray s = asked(split, O, d, in);
     const span early = d > 0 ? s.below : s.above, late = d > 0 ? s.above : s.below;
-    given_plane(split, O, d, in);
+    given_answer(split, O, d, in, s);
     if (t >= t0) {
         const exact end = t < t1 ? t : t1;
+        hint_instead(cut_short);
         CHECK(early.t0 <= in.t0 && early.t1 >= end,
               "the part before the plane is not cut short");
     } else {
+        hint_instead(no_part);
         CHECK(!visited(early) || t >= t0 * (1 - slack), "the part before the plane is empty");
     }
     if (t <= t1) {
         const exact begin = t > t0 ? t : t0;
+        hint_instead(cut_short);
         CHECK(late.t0 <= begin && late.t1 >= in.t1,
               "the part behind the plane is not cut short");
     } else {
+        hint_instead(no_part);
         CHECK(!visited(late) || t <= t1 * (1 + slack), "the part behind the plane is empty");
     }
     if (visited(early) && t < t1)

@@ -14,7 +14,9 @@ int main(void) {
          "Where the plane is met before the cell, behind it, or behind O, one child holds "
          "all."},
         {"kd_children: along the plane, d = ±0", children_along,
-         "1 / d is infinite and 0 times infinity NaN: which comparison lets the span stand?"},
+         "1 / d is infinite: beside the plane its sign decides; in the plane 0 times infinity "
+         "is NaN: "
+         "which comparison lets the span stand?"},
         {"kd_children: from the plane", children_on_plane,
          "t = 0 at the plane: the sign of d says where the ray goes."},
         {"kd_children: generic rays, thin cells", children_generic,

@@ -1,6 +1,6 @@
 // Wrong: the comparisons the other way round: in the plane t is NaN, and NaN wins.
 // Expect: a ray in the plane is in both children all the way
-// Expect: 0 times infinity NaN
+// Expect: 0 times infinity is NaN
 #include "chapters/13-kd-tree/kd_tree.h"
 
 kd_order kd_children(real split, real O, real inverse, span in) {
