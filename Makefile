@@ -209,7 +209,9 @@ progress:
 .PHONY: one
 one: $(ONE)
 
-measure: $(foreach c,$(CHAPTERS),measure-$(call number,$c))
+# One after the other, also under -j: they take times.
+measure:
+	@$(foreach c,$(CHAPTERS),$(MAKE) -j1 --no-print-directory measure-$(call number,$c) &&) true
 	@echo "All tables and plots: build/measure/index.html"
 
 # ---- the homework -----------------------------------------------------------------------
@@ -296,9 +298,10 @@ check-format:
 $B/same_picture: $B/obj/tests/tools/same_picture.o
 	$(LINK)
 
-# The errors alone, in float and in double: the same to the digit everywhere.
+# The errors alone, in float and in double: the same to the digit everywhere. The programs are
+# built before the inner makes start, or two makes would write the same objects at once.
 .PHONY: error-tables
-error-tables:
+error-tables: $(CHAPTERS:%=$B/measure/%)
 	@$(MAKE) -s --no-print-directory REAL=float $(CHAPTERS:%=build/errors/%.float.csv)
 	@$(MAKE) -s --no-print-directory REAL=double $(CHAPTERS:%=build/errors/%.double.csv)
 	@$(foreach c,$(CHAPTERS),cat build/errors/$c.float.csv build/errors/$c.double.csv > build/errors/$c.csv;)
