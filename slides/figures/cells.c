@@ -50,13 +50,15 @@ static void draw_walk(drawing *d, const walk *w) {
         snprintf(name, sizeof name, "%d", before);
         double enter, leave;
         line_in(w->l, w->cells[i], &enter, &leave);
-        svg_words(d, line_at(w->l, (enter + fmin(leave, w->hit)) / 2), 0, 0.6, name);
+        const point middle = line_at(w->l, (enter + fmin(leave, w->hit)) / 2);
+        const bool above = w->cells[i].low.y + w->cells[i].high.y > 2 * middle.y;
+        svg_words(d, middle, 0, above ? 0.8 : -0.8, name);
     }
     svg_arrow(d, w->l.O, line_at(w->l, w->hit), RAY);
 }
 
 static walk walk_through(const thing *t) {
-    const point O = {0, 4.6}, at = t[CROWD + 3].c;
+    const point O = {0, 4.5}, at = t[CROWD + 3].c;
     walk w = {.l = {O, {at.x - O.x, at.y - O.y}}};
     w.hit = line_hit(w.l, t, THINGS);
     return w;

@@ -39,10 +39,13 @@ static double place(double u) { // where the part u of all light has come in
     return low;
 }
 
+static const double height = 1.0 / 3;
+
 // Left uniform places, right places with a density proportional to f: the bars are the samples,
 // as high as f / p.
 void importance_figure(const char *folder) {
-    drawing d = svg_begin(folder, "importance", (point){-0.05, -0.24}, (point){2.45, 1.4}, 800);
+    drawing d =
+        svg_begin(folder, "importance", (point){-0.05, -0.24}, (point){2.45, 0.94}, 780);
     enum { CURVE = 100, SAMPLES = 14 };
     for (int side = 0; side < 2; side++) {
         const double left = 1.35 * side;
@@ -50,16 +53,16 @@ void importance_figure(const char *folder) {
         for (int i = 0; i < SAMPLES; i++) {
             const double u = (i + 0.5) / SAMPLES, x = side ? place(u) : u;
             const double ratio = side ? all_light : light(x);
-            svg_line(&d, (point){left + x, 0}, (point){left + x, ratio / 2}, RAY);
-            svg_dot(&d, (point){left + x, ratio / 2}, RAY);
+            svg_line(&d, (point){left + x, 0}, (point){left + x, height * ratio}, RAY);
+            svg_dot(&d, (point){left + x, height * ratio}, RAY);
         }
         for (int i = 0; i < CURVE; i++) {
             const double x = (double)i / CURVE, y = (i + 1.0) / CURVE;
-            svg_line(&d, (point){left + x, light(x) / 2}, (point){left + y, light(y) / 2},
-                     LIGHT);
+            svg_line(&d, (point){left + x, height * light(x)},
+                     (point){left + y, height * light(y)}, LIGHT);
         }
         svg_symbol(&d, (point){left + 0.5, 0}, 0, -1.1, side ? "p ∝ f" : "p = 1");
-        svg_symbol(&d, (point){left + 0.83, 1.1}, 0.3, 0.3, "f");
+        svg_symbol(&d, (point){left + 0.83, 0.7}, 0.3, 0.3, "f");
     }
     svg_end(&d);
 }

@@ -85,7 +85,7 @@ void boxes_figure(const char *folder) {
     svg_box(&d, l.low, l.high, RAY, NO_FILL);
     svg_box(&d, r.low, r.high, LIGHT, NO_FILL);
     svg_symbol(&d, (point){all.low.x, all.high.y}, 0.9, -0.9, "A");
-    svg_symbol(&d, (point){l.low.x, l.high.y}, 0.9, 0.6, "A_l");
+    svg_symbol(&d, (point){l.low.x, l.high.y}, 0.9, 0.9, "A_l");
     svg_symbol(&d, r.low, 1, 0.9, "A_r");
     svg_end(&d);
 }
@@ -124,6 +124,22 @@ void split_figure(const char *folder) {
                      (point){t[k - 1].c.x, y}, FAINT);
     }
     svg_symbol(&d, (point){0, -0.4}, 0.5, 0, "c");
+    svg_end(&d);
+}
+
+// What n things cost as a leaf, and divided: a step, and two halves with 2/3 of the surface each.
+void leaf_figure(const char *folder) {
+    drawing d = svg_begin(folder, "leaf", (point){-0.6, -1}, (point){8.4, 6.6}, 520);
+    svg_arrow(&d, (point){0, 0}, (point){7.4, 0}, OBJECT);
+    svg_arrow(&d, (point){0, 0}, (point){0, 6.4}, OBJECT);
+    svg_line(&d, (point){0, 0}, (point){6, 6}, RAY);
+    svg_line(&d, (point){0, 1}, (point){6, 5}, LIGHT);
+    svg_line(&d, (point){3, 0}, (point){3, 3}, HELP);
+    svg_dot(&d, (point){3, 3}, OBJECT);
+    svg_symbol(&d, (point){7.4, 0}, 0.6, 0, "n");
+    svg_symbol(&d, (point){3, 0}, 0, -0.8, "3");
+    svg_symbol(&d, (point){6, 6}, 0.6, 0.2, "n");
+    svg_symbol(&d, (point){6, 5}, 2.1, -0.1, "1 + 2n/3");
     svg_end(&d);
 }
 
