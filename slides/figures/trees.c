@@ -50,14 +50,24 @@ typedef struct {
     point c;
 } thing;
 
+static bool apart(const thing *t, int count, point c, double r) {
+    for (int i = 0; i < count; i++)
+        if (hypot(t[i].c.x - c.x, t[i].c.y - c.y) < t[i].r + r + 0.05) return false;
+    return true;
+}
+
+// Most of them in one corner, the others scattered over the rest of the box.
 static void things_make(thing *t) {
-    rng g = rng_seed(7, 14);
-    for (int i = 0; i < THINGS; i++) {
-        const double x = rng_double(&g), y = rng_double(&g), size = rng_double(&g);
-        const double crowd = i < 10 ? 0.36 : 1; // most of them in one corner
-        const point c = {0.5 + 8 * crowd * x, 0.5 + 4 * crowd * y};
-        const double r = 0.1 + 0.18 * size;
-        t[i] = (thing){{c.x - r, c.y - r}, {c.x + r, c.y + r}, r, c};
+    enum { CROWD = 9 };
+    static const point lows[] = {{4, 0.4}, {7.2, 0.5}, {5.3, 2.6}, {7.3, 3.5}, {1.5, 3.6}};
+    static const point near = {0.3, 0.3}, crowd = {3, 2.6}, lone = {1.5, 1.1};
+    rng g = rng_seed(9, 14);
+    for (int i = 0; i < THINGS;) {
+        const point low = i < CROWD ? near : lows[i - CROWD], size = i < CROWD ? crowd : lone;
+        const double x = rng_double(&g), y = rng_double(&g), r = 0.13 + 0.2 * rng_double(&g);
+        const point c = {low.x + size.x * x, low.y + size.y * y};
+        if (!apart(t, i, c, r)) continue;
+        t[i++] = (thing){{c.x - r, c.y - r}, {c.x + r, c.y + r}, r, c};
     }
 }
 
