@@ -10,21 +10,23 @@ static point polar(point c, double r, double angle) {
 
 // The same beam, straight on and aslant: it covers 1 / cos θ as much of the floor.
 void cosine_figure(const char *folder) {
-    drawing d = svg_begin(folder, "cosine", (point){-2.2, -0.6}, (point){8, 3}, 1000);
+    drawing d = svg_begin(folder, "cosine", (point){-2, -0.75}, (point){8.4, 2.75}, 1000);
     for (int side = 0; side < 2; side++) {
         const double theta = side ? PI / 3 : 0, half = 0.5, x = side ? 4.6 : 0;
         const point u = {sin(theta), cos(theta)};
         const double foot = half / cos(theta);
-        svg_line(&d, (point){x - 2, 0}, (point){x + 3, 0}, OBJECT);
-        svg_line(&d, (point){x - foot, 0}, (point){x + foot, 0}, LIGHT);
+        svg_line(&d, (point){x - 2, 0}, (point){side ? x + 3.8 : 1.6, 0}, OBJECT);
         for (int i = -2; i <= 2; i++) {
             const point end = {x + foot * i / 2, 0};
             // back along the beam to a line across it
-            const double along = 2.6 - (end.x - x) * u.x;
+            const double along = (side ? 3 : 2.4) - (end.x - x) * u.x;
             svg_arrow(&d, (point){end.x + along * u.x, along * u.y}, end, LIGHT);
         }
-        svg_arrow(&d, (point){x, 0}, (point){x, 1.5}, OBJECT);
-        svg_symbol(&d, (point){x, 1.5}, -0.6, 0.2, "n");
+        svg_line(&d, (point){x - foot, -0.12}, (point){x + foot, -0.12}, RAY);
+        svg_symbol(&d, (point){x, 0}, 0, -1.1, side ? "1 / cos θ" : "1");
+        const point base = {side ? x : x - 1.2, 0};
+        svg_arrow(&d, base, (point){base.x, 1.5}, OBJECT);
+        svg_vector(&d, (point){base.x, 1.5}, -0.7, -0.1, "n");
         if (side) {
             svg_arc(&d, (point){x, 0}, 1, PI / 2 - theta, PI / 2, HELP);
             svg_symbol(&d, polar((point){x, 0}, 1.25, PI / 2 - theta / 2), 0, 0, "θ");
@@ -34,23 +36,23 @@ void cosine_figure(const char *folder) {
 }
 
 void solid_angle_figure(const char *folder) {
-    drawing d = svg_begin(folder, "solid-angle", (point){-2.4, -0.5}, (point){4, 3}, 860);
-    const point x = {0, 0}, c = {2.6, 2.2};
-    const double r = 0.6, far = hypot(c.x, c.y), middle = atan2(c.y, c.x), half = asin(r / far);
-    svg_line(&d, (point){-2.4, 0}, (point){4, 0}, OBJECT);
-    svg_arc(&d, x, 1.6, 0, PI, HELP);
+    drawing d = svg_begin(folder, "solid-angle", (point){-2.1, -0.6}, (point){3.6, 3.4}, 560);
+    const point x = {0, 0}, c = {2.3, 2.5};
+    const double r = 0.7, far = hypot(c.x, c.y), middle = atan2(c.y, c.x), half = asin(r / far);
+    svg_line(&d, (point){-2.1, 0}, (point){3.6, 0}, OBJECT);
+    svg_arc(&d, x, 1.8, 0, PI, HELP);
     svg_circle(&d, c, r, LIGHT, WARM);
     svg_line(&d, x, polar(x, far * cos(half), middle + half), LIGHT);
     svg_line(&d, x, polar(x, far * cos(half), middle - half), LIGHT);
-    svg_arc(&d, x, 1.6, middle - half, middle + half, RAY);
-    svg_arrow(&d, x, (point){0, 2.3}, OBJECT);
-    svg_arrow(&d, x, polar(x, 1.15, middle), RAY);
+    svg_arc(&d, x, 1.8, middle - half, middle + half, RAY);
+    svg_arrow(&d, x, (point){0, 2.5}, OBJECT);
+    svg_arrow(&d, x, polar(x, 1.2, middle), RAY);
     svg_dot(&d, x, OBJECT);
-    svg_symbol(&d, x, 0, -0.8, "x");
-    svg_symbol(&d, (point){0, 2.3}, -0.7, 0, "n");
-    svg_symbol(&d, polar(x, 1.15, middle), -0.6, 0.5, "ω_i");
-    svg_symbol(&d, polar(x, 1.6, middle + half), -0.6, 0.7, "dω");
-    svg_symbol(&d, polar(x, 1.6, PI * 0.8), -0.7, 0.4, "Ω");
+    svg_symbol(&d, x, 0, -0.9, "x");
+    svg_symbol(&d, (point){0, 2.5}, -0.7, -0.2, "n");
+    svg_symbol(&d, polar(x, 0.95, middle - half), 0.9, -0.1, "ω_i");
+    svg_symbol(&d, polar(x, 1.8, middle - half), 1, 0.7, "dω");
+    svg_symbol(&d, polar(x, 1.8, PI * 0.8), -0.7, 0.4, "Ω");
     svg_end(&d);
 }
 

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "common/die.h"
@@ -116,6 +117,20 @@ void svg_symbol(drawing *d, point at, double dx, double dy, const char *text) {
     else
         fprintf(d->file, "%.*s<tspan font-size=\"%d\" dy=\"8\">%s</tspan></text>\n",
                 (int)(below - text), text, (int)(FONT * 0.7), below + 1);
+}
+
+// The arrow stands above the first letter; what comes below moves that to the left.
+void svg_vector(drawing *d, point at, double dx, double dy, const char *text) {
+    svg_symbol(d, at, dx, dy, text);
+    const bool tall = strchr("Obdkl", *text) || (*text >= 'A' && *text <= 'Z');
+    const char *below = strchr(text, '_');
+    const double x = px(d, at.x) +
+                     FONT * (dx + 0.08 - (below ? 0.22 * (double)strlen(below + 1) : 0)),
+                 y = py(d, at.y) - FONT * (dy + (tall ? 0.55 : 0.36)), half = FONT * 0.27;
+    fprintf(d->file,
+            "<path d=\"M %.1f %.1f h %.1f m -5 -4 l 5 4 l -5 4\" fill=\"none\" stroke=\"#222\" "
+            "stroke-width=\"1.6\"/>\n",
+            x - half, y, 2 * half);
 }
 
 void svg_words(drawing *d, point at, double dx, double dy, const char *text) {
