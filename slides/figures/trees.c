@@ -85,7 +85,7 @@ void boxes_figure(const char *folder) {
     svg_box(&d, l.low, l.high, RAY, NO_FILL);
     svg_box(&d, r.low, r.high, LIGHT, NO_FILL);
     svg_symbol(&d, (point){all.low.x, all.high.y}, 0.9, -0.9, "A");
-    svg_symbol(&d, (point){l.low.x, l.high.y}, 0.9, 0.9, "A_l");
+    svg_symbol(&d, (point){l.low.x, l.high.y}, 1.8, 0.8, "A_l");
     svg_symbol(&d, r.low, 1, 0.9, "A_r");
     svg_end(&d);
 }
