@@ -3,15 +3,17 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "common/die.h"
 
 enum { FONT = 26 };
 
-static const char *const colors[] = {"#1d3557", "#c1121f", "#6c757d", "#e09f00", "#b8c0c8"};
-static const double widths[] = {3.5, 3, 1.8, 3, 1.5};
-static const char *const dashes[] = {"none", "none", "7 6", "none", "none"};
+static const char *const colors[] = {"#1d3557", "#c1121f", "#6c757d",
+                                     "#e09f00", "#b8c0c8", "#c1121f"};
+static const double widths[] = {3.5, 3, 1.8, 3, 1.5, 1.2};
+static const char *const dashes[] = {"none", "none", "7 6", "none", "none", "none"};
 
 static double px(const drawing *d, double x) {
     return (x - d->left) * d->scale;
@@ -115,6 +117,20 @@ void svg_symbol(drawing *d, point at, double dx, double dy, const char *text) {
     else
         fprintf(d->file, "%.*s<tspan font-size=\"%d\" dy=\"8\">%s</tspan></text>\n",
                 (int)(below - text), text, (int)(FONT * 0.7), below + 1);
+}
+
+// The arrow stands above the first letter; what comes below moves that to the left.
+void svg_vector(drawing *d, point at, double dx, double dy, const char *text) {
+    svg_symbol(d, at, dx, dy, text);
+    const bool tall = strchr("Obdkl", *text) || (*text >= 'A' && *text <= 'Z');
+    const char *below = strchr(text, '_');
+    const double x = px(d, at.x) +
+                     FONT * (dx + 0.08 - (below ? 0.22 * (double)strlen(below + 1) : 0)),
+                 y = py(d, at.y) - FONT * (dy + (tall ? 0.55 : 0.36)), half = FONT * 0.27;
+    fprintf(d->file,
+            "<path d=\"M %.1f %.1f h %.1f m -5 -4 l 5 4 l -5 4\" fill=\"none\" stroke=\"#222\" "
+            "stroke-width=\"1.6\"/>\n",
+            x - half, y, 2 * half);
 }
 
 void svg_words(drawing *d, point at, double dx, double dy, const char *text) {

@@ -20,7 +20,7 @@ drawing svg_begin(const char *folder, const char *name, point low, point high, d
 void svg_end(drawing *d);
 
 // How lines look: named by what they stand for.
-typedef enum { OBJECT, RAY, HELP, LIGHT, FAINT } pen;
+typedef enum { OBJECT, RAY, HELP, LIGHT, FAINT, THIN } pen;
 
 void svg_line(drawing *d, point a, point b, pen p);
 void svg_arrow(drawing *d, point from, point to, pen p);
@@ -31,6 +31,7 @@ void svg_box(drawing *d, point low, point high, pen how, const char *fill);
 void svg_dot(drawing *d, point at, pen p);
 // A symbol in italics beside the point, moved by (dx, dy) letters; "_" begins an index.
 void svg_symbol(drawing *d, point at, double dx, double dy, const char *text);
+void svg_vector(drawing *d, point at, double dx, double dy, const char *text); // with an arrow
 void svg_words(drawing *d, point at, double dx, double dy, const char *text);
 
 #define NO_FILL "none"
