@@ -223,8 +223,8 @@ static struct {
     const char *hint; // in place of the neutral one
     bool failed, dead[COUNT(finding)];
     search14 first;
-    int after; // searches since
-    int plain; // right ones, with no component of d 0
+    int after;              // searches since
+    int plain, plain_wrong; // searches with no component of d 0: the right and the wrong ones
 } trial;
 
 enum { AFTER = 300 };
@@ -258,6 +258,11 @@ static bool has_minus_zero(vec3 d) {
            (d.z == 0 && signbit(d.z));
 }
 
+// Did all rays without a component 0 go well, and were there some?
+static bool zero_spoils(void) {
+    return trial.plain >= 50 && trial.plain_wrong == 0;
+}
+
 // The one habit that explains all answers, the wrong ones too; or NULL.
 static const habit14 *likely_habit(void) {
     const habit14 *found = NULL;
@@ -275,15 +280,15 @@ static const char *hint_about_t(const search14 *s) {
         return "t_min < t: leaf_triangles (and triangle_hit) get t_min.";
     if (s->got.t >= s->p.t_max && s->got.t != NO_HIT)
         return "t < t_max: a find begins with t_max, not with NO_HIT.";
-    if (trial.hint) return trial.hint;
-    if (too_far && trial.plain >= 50 && has_minus_zero(s->p.r.d))
+    if (too_far && zero_spoils() && has_minus_zero(s->p.r.d))
         return "Rays without a component 0 went well. Did you write a slab test of your own? "
                "For "
                "-0 the comparison d < 0 is false, and 1/d is -infinity: aabb_hit knows.";
-    if (too_far && trial.plain >= 50 && has_zero(s->p.r.d))
+    if (too_far && zero_spoils() && has_zero(s->p.r.d))
         return "Rays without a component 0 went well. Did you write a slab test of your own? "
                "1/d "
                "is infinite for 0, and 0 times that is NaN: aabb_hit knows.";
+    if (trial.hint) return trial.hint;
     if (s->got.t == NO_HIT)
         return "The cell with that triangle was not looked into. " SAME_CHILD;
     if (too_far)
@@ -295,7 +300,7 @@ static const char *hint_about_t(const search14 *s) {
 
 static void suspects_of_t(const search14 *s) {
     const bool too_far = s->got.t > s->want.t;
-    if (too_far && trial.plain >= 50 && has_minus_zero(s->p.r.d))
+    if (too_far && zero_spoils() && has_minus_zero(s->p.r.d))
         suspect_value("a hit lost where a component of d is -0", (double)s->got.t);
     if (s->got.t == NO_HIT) suspect_value("a miss: a hit is lost", (double)NO_HIT);
     if (too_far) suspect_value("a hit further away: a nearer one is lost", (double)s->got.t);
@@ -400,10 +405,10 @@ static void check_nearest(probe p, const char *where) {
     s.got = octree_nearest(trial.o, p.r, p.t_min, p.t_max, &s.index, &spent);
     rule_out(&s);
     const bool right = is_right(&s);
+    if (!has_zero(p.r.d)) trial.plain += right, trial.plain_wrong += !right;
     if (!trial.failed) {
         trial.failed = !right;
         trial.first = s;
-        trial.plain += right && !has_zero(p.r.d);
     } else if (++trial.after > AFTER) {
         searches_report();
     }
