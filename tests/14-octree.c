@@ -2,10 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "chapters/06-bounce/bounce.h"
-#include "chapters/14-octree/cell.h"
-#include "tests/14-octree-scenes.h"
-#include "tests/check.h"
+#include "tests/14-octree-walk.h"
 
 // ---- child_of ----------------------------------------------------------------------------
 
@@ -17,45 +14,228 @@ static int child_by_hand(vec3 p, vec3 middle) {
     return child;
 }
 
-static void suspects_of_child(vec3 p, vec3 middle) {
-    const vec3 strict = {nextafter(p.x, (real)-INFINITY), nextafter(p.y, (real)-INFINITY),
-                         nextafter(p.z, (real)-INFINITY)};
+// What a slip makes of the three comparisons.
+static const struct {
+    const char *looks_like, *hint;
+    int weight[3];     // of x, y and z
+    int flipped;       // axes whose lower half is taken for the upper one
+    bool strict, adds; // > for >=; + for |
+} child_slips[] = {
+    {"the other half along each axis",
+     "A bit is 1 in the upper half: p.x >= middle.x.",
+     {1, 2, 4},
+     7,
+     false,
+     false},
+    {"the other half along x",
+     "A bit is 1 in the upper half, also along x.",
+     {1, 2, 4},
+     1,
+     false,
+     false},
+    {"the other half along y",
+     "A bit is 1 in the upper half, also along y.",
+     {1, 2, 4},
+     2,
+     false,
+     false},
+    {"the other half along z",
+     "A bit is 1 in the upper half, also along z.",
+     {1, 2, 4},
+     4,
+     false,
+     false},
+    {"a point on the plane put into the lower half",
+     "On the plane: the upper half, >=.",
+     {1, 2, 4},
+     0,
+     true,
+     false},
+    {"bit 0 taken for z and bit 2 for x",
+     "Bit 0 is x, bit 1 is y, bit 2 is z.",
+     {4, 2, 1},
+     0,
+     false,
+     false},
+    {"bits 0 and 1, x and y, swapped",
+     "Bit 0 is x, bit 1 is y, bit 2 is z.",
+     {2, 1, 4},
+     0,
+     false,
+     false},
+    {"bits 1 and 2, y and z, swapped",
+     "Bit 0 is x, bit 1 is y, bit 2 is z.",
+     {1, 4, 2},
+     0,
+     false,
+     false},
+    {"all three in bit 0",
+     "Bit 0 is x; the one for y is shifted by 1, the one for z by 2.",
+     {1, 1, 1},
+     0,
+     false,
+     false},
+    {"1, 2 and 3 in place of 1, 2 and 4",
+     "Bit 2 is worth 4: 1 << 2.",
+     {1, 2, 3},
+     0,
+     false,
+     true},
+    {"z shifted by 3", "Bits 0, 1 and 2: z is shifted by 2.", {1, 2, 8}, 0, false, false},
+    {"one bit too far to the left",
+     "Bits 0, 1 and 2: x is not shifted.",
+     {2, 4, 8},
+     0,
+     false,
+     false},
+};
+
+static int child_with_slip(int slip, vec3 p, vec3 m) {
+    const bool strict = child_slips[slip].strict;
+    const int upper[3] = {strict ? p.x > m.x : p.x >= m.x, strict ? p.y > m.y : p.y >= m.y,
+                          strict ? p.z > m.z : p.z >= m.z};
+    int child = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const int bit = upper[axis] ^ (child_slips[slip].flipped >> axis & 1);
+        const int part = bit * child_slips[slip].weight[axis];
+        child = child_slips[slip].adds ? child + part : child | part;
+    }
+    return child;
+}
+
+// A point, with some coordinates in the dividing planes when i says so.
+static vec3 child_point(int i, vec3 middle, rng *g) {
+    const vec3 q = in_cube(g);
+    return (vec3){i & 1 ? middle.x : q.x, i & 2 ? middle.y : q.y, i & 4 ? middle.z : q.z};
+}
+
+// The slip that explains all answers, of generic points and of points in planes; or -1.
+static int child_slip(void) {
+    for (int slip = 0; slip < COUNT(child_slips); slip++) {
+        rng g = check_rng(1425);
+        bool all = true;
+        for (int i = 0; i < 400; i++) {
+            const vec3 middle = in_cube(&g), p = child_point(i, middle, &g);
+            all &= child_of(p, middle) == child_with_slip(slip, p, middle);
+        }
+        if (all) return slip;
+    }
+    return -1;
+}
+
+static void check_child(vec3 p, vec3 middle) {
     const int right = child_by_hand(p, middle);
-    suspect_value("the other half along each axis", 7 - right);
-    if (child_by_hand(strict, middle) != right)
-        suspect_value("a point on the plane put into the lower half",
-                      child_by_hand(strict, middle));
-    suspect_value("bit 0 taken for z and bit 2 for x",
-                  (right & 2) | (right & 1) << 2 | right >> 2);
+    given("the point " VEC ", a cell divided at " VEC, ARG(p), ARG(middle));
+    const int got = child_of(p, middle);
+    if (got == right) return;
+    const int slip = child_slip();
+    if (slip >= 0) {
+        suspect_value(child_slips[slip].looks_like, got);
+        hint_instead(child_slips[slip].hint);
+    }
+    check_int(__FILE__, __LINE__, "child_of(p, middle)", got, right);
 }
 
 static void child_around(void) {
     rng g = check_rng(1401);
     for (int i = 0; i < 2000; i++) {
         const vec3 middle = in_cube(&g), p = in_cube(&g);
-        given("the point " VEC ", a cell divided at " VEC, ARG(p), ARG(middle));
-        suspects_of_child(p, middle);
-        CHECK_INT(child_of(p, middle), child_by_hand(p, middle));
+        check_child(p, middle);
     }
 }
 
 static void child_on_plane(void) {
     rng g = check_rng(1402);
     for (int i = 0; i < 200; i++) {
-        const vec3 middle = in_cube(&g), q = in_cube(&g);
-        const vec3 p = {i & 1 ? middle.x : q.x, i & 2 ? middle.y : q.y, i & 4 ? middle.z : q.z};
-        given("the point " VEC ", a cell divided at " VEC, ARG(p), ARG(middle));
-        suspects_of_child(p, middle);
-        CHECK_INT(child_of(p, middle), child_by_hand(p, middle));
+        const vec3 middle = in_cube(&g), p = child_point(i, middle, &g);
+        check_child(p, middle);
     }
 }
 
 // ---- child_index ---------------------------------------------------------------------------
 
-static int stored_below(unsigned mask, int i) {
-    int count = 0;
-    for (int k = 0; k < i; k++) count += is_stored(mask, k);
-    return count;
+static int bits_of(unsigned mask) {
+    return stored_before(mask, 32);
+}
+
+// What a slip makes of it.
+static int index_dense(unsigned mask, int i) {
+    return (void)mask, i;
+}
+static int index_with_itself(unsigned mask, int i) {
+    return stored_before(mask, i) + 1;
+}
+static int index_less_one(unsigned mask, int i) {
+    return stored_before(mask, i) - 1;
+}
+static int index_behind(unsigned mask, int i) {
+    return bits_of(mask >> i) - 1;
+}
+static int index_shifted(unsigned mask, int i) {
+    return bits_of(mask >> i);
+}
+static int index_all(unsigned mask, int i) {
+    return (void)i, bits_of(mask);
+}
+static int index_of_empty(unsigned mask, int i) {
+    return i - stored_before(mask, i);
+}
+static int index_bits_themselves(unsigned mask, int i) {
+    return (int)(mask & ((1u << i) - 1));
+}
+static int index_own_bit(unsigned mask, int i) {
+    return (int)(mask >> i & 1);
+}
+static int index_of_number(unsigned mask, int i) {
+    return bits_of(mask & (unsigned)i);
+}
+static int index_from_top(unsigned mask, int i) {
+    return bits_of(mask >> (8 - i));
+}
+static int index_one_short(unsigned mask, int i) {
+    return i ? stored_before(mask, i - 1) : 0;
+}
+
+static const struct {
+    const char *looks_like, *hint;
+    int (*of)(unsigned mask, int i);
+} index_slips[] = {
+    {"i itself, as if all eight were stored", "Only the bits that are set count, below bit i.",
+     index_dense},
+    {"child i counted too",
+     "Before child i: the bits 0 to i - 1. (1u << i) - 1 has just these.", index_with_itself},
+    {"one less: child i taken off though it was not counted",
+     "Bit i is not below bit i: nothing is to be taken off.", index_less_one},
+    {"the children behind i counted", "Before child i: the bits below, 0 to i - 1.",
+     index_behind},
+    {"child i and those behind it counted: mask >> i keeps the upper bits",
+     "mask >> i drops just the bits that count: mask & ((1u << i) - 1) keeps them.",
+     index_shifted},
+    {"all children counted", "Only those before child i: mask & ((1u << i) - 1).", index_all},
+    {"the children that are not stored counted", "Those that are stored: the bits that are 1.",
+     index_of_empty},
+    {"the bits below i themselves, as a number", "How many of these bits are 1? Count them.",
+     index_bits_themselves},
+    {"bit i itself", "Not whether i is stored: how many are stored before it.", index_own_bit},
+    {"the bits of mask & i", "i is a number: the bits below bit i are (1u << i) - 1.",
+     index_of_number},
+    {"the i highest bits counted", "Child 0 is bit 0, the lowest: mask & ((1u << i) - 1).",
+     index_from_top},
+    {"child i - 1 left out", "Before child i: the bits 0 to i - 1, that one too.",
+     index_one_short},
+};
+
+// The slip that explains all answers, or -1.
+static int index_slip(void) {
+    for (int slip = 0; slip < COUNT(index_slips); slip++) {
+        bool all = true;
+        for (unsigned mask = 0; mask < 256; mask++)
+            for (int i = 0; i < 8; i++)
+                if (is_stored(mask, i))
+                    all &= child_index(mask, i) == index_slips[slip].of(mask, i);
+        if (all) return slip;
+    }
+    return -1;
 }
 
 static void index_of_all(void) {
@@ -63,13 +243,19 @@ static void index_of_all(void) {
         const unsigned mask = (173 + 151 * k) % 256; // all, and first one with many bits
         for (int i = 0; i < 8; i++) {
             if (!is_stored(mask, i)) continue;
-            const int right = stored_below(mask, i), all = stored_below(mask, 8);
-            given("mask = 0x%02x, child %d", mask, i);
-            suspect_value("i itself, as if all eight were stored", i);
-            suspect_value("child i counted too", right + 1);
-            suspect_value("the children behind i counted", all - right - 1);
-            suspect_value("all children counted", all);
-            CHECK_INT(child_index(mask, i), right);
+            char stored[24] = "";
+            for (int c = 0; c < 8; c++)
+                if (is_stored(mask, c))
+                    snprintf(stored + strlen(stored), sizeof stored - strlen(stored), " %d", c);
+            given("mask = 0x%02x: the children%s are stored; child %d", mask, stored, i);
+            const int got = child_index(mask, i), right = stored_before(mask, i);
+            if (got == right) continue;
+            const int slip = index_slip();
+            if (slip >= 0) {
+                suspect_value(index_slips[slip].looks_like, got);
+                hint_instead(index_slips[slip].hint);
+            }
+            check_int(__FILE__, __LINE__, "child_index(mask, i)", got, right);
         }
     }
 }
@@ -104,23 +290,115 @@ static bool is_front_to_back(vec3 d, const int order[8]) {
     return true;
 }
 
-static const char *order_claim(vec3 d, const int order[8]) {
-    int mirrored[8], plain = 1;
-    for (int k = 0; k < 8; k++) mirrored[k] = order[7 - k], plain &= order[k] == k;
-    if (is_front_to_back(d, mirrored))
+// How an answer uses the signs of d, from its orders for all eight of them.
+enum { FOLLOWS_X, FOLLOWS_Y, FOLLOWS_Z, REVERSED, NEVER, ALWAYS, MIXED };
+
+// Along the axis: 0, the lower half comes first everywhere; 1, the upper one; 2, as it comes.
+static int first_half(const int order[8], int axis) {
+    int place[8], upper = 0;
+    for (int k = 0; k < 8; k++) place[order[k]] = k;
+    for (int i = 0; i < 8; i++)
+        if (!(i >> axis & 1)) upper += place[i | 1 << axis] < place[i];
+    return upper == 0 ? 0 : upper == 4 ? 1 : 2;
+}
+
+static bool uses_of_signs(int use[3]) {
+    int half[8][3];
+    for (int signs = 0; signs < 8; signs++) {
+        int order[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+        order_children((vec3){signs & 1 ? (real)-0.5 : (real)0.5,
+                              signs & 2 ? (real)-0.7 : (real)0.7,
+                              signs & 4 ? (real)-0.6 : (real)0.6},
+                       order);
+        if (!is_permutation(order)) return false;
+        for (int axis = 0; axis < 3; axis++) half[signs][axis] = first_half(order, axis);
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        use[axis] = MIXED;
+        for (int u = FOLLOWS_X; u < MIXED; u++) {
+            bool all = true;
+            for (int signs = 0; signs < 8; signs++)
+                all &= half[signs][axis] == (u < REVERSED    ? signs >> u & 1
+                                             : u == REVERSED ? !(signs >> axis & 1)
+                                                             : u == ALWAYS);
+            if (all) use[axis] = u;
+        }
+    }
+    return true;
+}
+
+#define FRONT_TO_BACK "front to back: no ray goes from a later child to an earlier one"
+
+// What to say of an order that is not front to back; the signs come first.
+static const char *order_claim(void) {
+    static char claim[200];
+    int use[3];
+    if (!uses_of_signs(use)) return FRONT_TO_BACK;
+    bool all[MIXED + 1] = {0};
+    for (int u = 0; u <= MIXED; u++) all[u] = use[0] == u && use[1] == u && use[2] == u;
+    if (all[REVERSED]) {
+        hint_instead("For positive d it is 0 to 7. Where d.x < 0 the upper half along x comes "
+                     "first: for every axis yours does the opposite.");
         return "front to back: this order is back to front, all reversed";
-    if (plain) return "front to back: this is 0 to 7, whatever the signs of d";
-    return "front to back: no ray goes from a later child to an earlier one";
+    }
+    if (all[NEVER]) {
+        hint_instead(
+            "Where d.x < 0 the upper half along x comes first: bit 0 of each number is "
+            "the other one.");
+        return "front to back: this is 0 to 7, whatever the signs of d";
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        if (use[axis] == axis) continue;
+        const char x = "xyz"[axis];
+        if (use[axis] == MIXED) {
+            hint_instead("Two children that differ in one bit: the sign of d along that axis "
+                         "decides which of them comes first.");
+            return FRONT_TO_BACK;
+        }
+        hint_instead(
+            "Bit 0 is x, bit 1 is y, bit 2 is z: where d.x < 0 bit 0 is the other one, "
+            "and so for y and z.");
+        if (use[axis] == REVERSED)
+            snprintf(claim, sizeof claim,
+                     "front to back: along %c it is back to front, whatever the sign of d.%c",
+                     x, x);
+        else if (use[axis] < REVERSED)
+            snprintf(claim, sizeof claim,
+                     "front to back: along %c the order goes by the sign of d.%c", x,
+                     "xyz"[use[axis]]);
+        else
+            snprintf(
+                claim, sizeof claim,
+                "front to back: along %c the %s half comes first, whatever the sign of d.%c", x,
+                use[axis] == NEVER ? "lower" : "upper", x);
+        return claim;
+    }
+    return FRONT_TO_BACK;
+}
+
+// All numbers i ^ mask with a mask of more than three bits, and for other signs too?
+static bool has_wide_mask(const int order[8]) {
+    int use[3];
+    for (int k = 0; k < 8; k++)
+        if ((order[k] ^ k) != order[0]) return false;
+    return !uses_of_signs(use);
 }
 
 static void check_order(vec3 d) {
     int order[10] = {-1, -1, -1, -1, -1, -1, -1, -1, -77, -77};
+    given("d = " VEC, ARG(d));
     order_children(d, order);
     given("d = " VEC ": order %d %d %d %d %d %d %d %d", ARG(d), order[0], order[1], order[2],
           order[3], order[4], order[5], order[6], order[7]);
+    if (order[8] != -77 || order[9] != -77) hint_instead("order[0] to order[7]: k < 8.");
     CHECK(order[8] == -77 && order[9] == -77, "nothing is written behind order[7]");
-    CHECK(is_permutation(order), "each child once");
-    CHECK(is_front_to_back(d, order), order_claim(d, order));
+    if (!is_permutation(order) && has_wide_mask(order))
+        hint_instead("i ^ mask, but the mask has more than the bits 0, 1 and 2. signbit(x) is "
+                     "not 1 but any number other than 0: signbit(x) != 0, or x < 0. And the "
+                     "shifts are 0, 1 and 2.");
+    CHECK(is_permutation(order), "each child once, 0 to 7");
+    const char *claim = is_front_to_back(d, order) ? "" : order_claim();
+    CHECK(is_front_to_back(d, order), claim);
 }
 
 static void order_generic(void) {
@@ -191,6 +469,23 @@ static aabb cell_at(vec3 min, real side) {
     return (aabb){min, add(min, (vec3){side, side, side})};
 }
 
+// Which axis parts them? The cell's own, by their boxes; or one of the ten others.
+static const char *hint_of_lost(triangle T, aabb cell, bool corner) {
+    const aabb box = aabb_of(T);
+    const bool within = aabb_area(aabb_join(box, cell)) <= aabb_area(cell);
+    if (within)
+        return "All of the triangle lies in the cell. Which of your axes parts them? Along an "
+               "axis a: the corners seen from the cell's middle, against its reach r to both "
+               "sides.";
+    if (corner)
+        return "One corner in the cell is enough. An axis parts them when all three corners "
+               "lie "
+               "beyond the same end of the cell's reach, not some of them.";
+    return "Corners outside do not mean apart: an edge may pass through the cell, or the cell "
+           "through the middle of the triangle. An axis parts them when all three corners lie "
+           "beyond the same end of the cell's reach.";
+}
+
 static void overlaps_generic(void) {
     rng g = check_rng(1406);
     int with_corner = 0, without = 0;
@@ -209,7 +504,9 @@ static void overlaps_generic(void) {
         with_corner += corner, without += !corner;
         given(BOXES "; %s", ARG_BOXES(cell, T),
               corner ? "a corner lies in the cell" : "no corner lies in the cell");
-        CHECK(cell_overlaps(T, cell), "they overlap, by clipping in higher precision");
+        const bool got = cell_overlaps(T, cell);
+        if (!got) hint_instead(hint_of_lost(T, cell, corner));
+        CHECK(got, "they overlap, by clipping in higher precision");
     }
     CHECK(with_corner > 100 && without > 100, "the test has pairs of both kinds");
 }
@@ -224,6 +521,8 @@ static void overlaps_apart(void) {
         const vec3 a = in_cube(&g), b = in_cube(&g), c = in_cube(&g);
         const triangle T = {add(a, away), add(b, away), add(c, away)};
         given(BOXES, ARG_BOXES(cell, T));
+        hint_instead(
+            "Apart along one axis is apart: compare the boxes along x, y and z first.");
         CHECK(!cell_overlaps(T, cell), "their boxes are far apart");
     }
 }
@@ -251,6 +550,9 @@ static void overlaps_in_face(void) {
         for (int k = 0; k < 3; k++)
             *(axis == 0 ? &p[k]->x : axis == 1 ? &p[k]->y : &p[k]->z) = face;
         given(BOXES ": flat in a face", ARG_BOXES(cell, T));
+        hint_instead(
+            "Closed: what only touches is not apart. Apart along an axis needs < and >; "
+            "and a box or a reach without thickness still has points.");
         CHECK(cell_overlaps(T, cell),
               "a triangle in a face is in the cell, whose faces belong "
               "to it: with <= in place of < neither neighbour loses it");
@@ -272,6 +574,10 @@ static void overlaps_touching(void) {
         given(BOXES ": %s", ARG_BOXES(cell, T),
               i & 2 ? "an edge through a corner of the cell"
                     : "a corner on a corner of the cell");
+        hint_instead(
+            "Touching counts. If the test against clipping passes, what is left is >= for "
+            ">, or rounding: compute in double, and make the cell a little larger, as "
+            "the text does. If it does not pass, begin there.");
         CHECK(cell_overlaps(T, cell), "they touch in one point, and that counts");
     }
 }
@@ -283,18 +589,146 @@ static const octree_options usual = {.leaf_size = 4, .depth = 12, .memory = 16};
 static void worth_limits(void) {
     const int apart[8] = {3, 2, 3, 2, 3, 2, 3, 2};
     given("20 triangles, 2 or 3 in each child: at depth 11 of at most 12");
+    hint_instead("The last division is that of a cell at depth 11: its children are at 12.");
     CHECK_BOOL(worth_dividing(usual, 11, 20, apart), true);
     given("the same at depth 12, where the limit is 12: endless subdivision otherwise");
+    hint_instead("Not at how.depth, nor below: depth >= how.depth.");
     CHECK_BOOL(worth_dividing(usual, 12, 20, apart), false);
     const octree_options loose = {.leaf_size = 20, .depth = 12, .memory = 16};
     given("20 triangles, leaf_size = 20");
+    hint_instead("Not with how.leaf_size triangles or fewer: count <= how.leaf_size.");
     CHECK_BOOL(worth_dividing(loose, 3, 20, apart), false);
     const octree_options tight = {.leaf_size = 19, .depth = 12, .memory = 16};
     given("20 triangles, leaf_size = 19");
+    hint_instead("20 are more than 19. How many are in a child does not matter here.");
     CHECK_BOOL(worth_dividing(tight, 3, 20, apart), true);
     const int none[8] = {0};
     given("no triangle at all");
+    hint_instead("0 <= leaf_size, and 0 is not less than 0: nothing is won.");
     CHECK_BOOL(worth_dividing((octree_options){.depth = 9}, 0, 0, none), false);
+}
+
+// The sum with a slip, and the answer.
+static const struct {
+    const char *looks_like, *hint;
+    double step, share; // of each child with something in it; of what is inside
+    bool all_eight, whole, whole_sum, equal;
+} worth_slips[] = {
+    {.looks_like = "a quarter of what is inside in whole numbers",
+     .hint = "5 / 4 is 1 in C: divide by 4.0.",
+     .step = 1,
+     .share = 0.25,
+     .whole = true},
+    {.looks_like = "a quarter of the sum in whole numbers",
+     .hint = "5 / 4 is 1 in C: divide by 4.0.",
+     .step = 1,
+     .share = 0.25,
+     .whole_sum = true},
+    {.looks_like = "the triangles alone: no step counted",
+     .hint = "Asking a child costs C_STEP each.",
+     .step = 0,
+     .share = 0.25},
+    {.looks_like = "the steps alone",
+     .hint = "What is inside is tested, with probability 1/4: C_HIT inside[i] / 4.",
+     .step = 1,
+     .share = 0},
+    {.looks_like = "a step for all eight children, also the empty ones",
+     .hint = "A child with nothing in it is not stored and costs nothing.",
+     .step = 1,
+     .share = 0.25,
+     .all_eight = true},
+    {.looks_like = "all that is inside, not a quarter of it",
+     .hint = "A ray through the cell passes through a child with probability 1/4 only.",
+     .step = 1,
+     .share = 1},
+    {.looks_like = "an eighth of what is inside, not a quarter",
+     .hint =
+         "A ray that passes through a cell passes through two of its eight children: 1/4 each.",
+     .step = 1,
+     .share = 0.125},
+    {.looks_like = "a half of what is inside, not a quarter",
+     .hint = "A ray through the cell passes through a child with probability 1/4.",
+     .step = 1,
+     .share = 0.5},
+    {.looks_like = "divided also where it is as dear",
+     .hint = "As dear: nothing is won. cost < C_HIT * count.",
+     .step = 1,
+     .share = 0.25,
+     .equal = true},
+    {.looks_like = "always divided: the cost is not asked",
+     .hint = "The third reason: where dividing costs as much as testing all, or more.",
+     .step = 0,
+     .share = 0},
+};
+
+static bool worth_with_slip(int slip, int count, const int inside[8]) {
+    double cost = 0;
+    int sum = 0;
+    for (int i = 0; i < 8; i++) {
+        if (inside[i] || worth_slips[slip].all_eight) cost += worth_slips[slip].step;
+        sum += inside[i];
+        const double share = worth_slips[slip].share * inside[i];
+        if (!worth_slips[slip].whole_sum)
+            cost += worth_slips[slip].whole ? floor(share) : share;
+    }
+    if (worth_slips[slip].whole_sum) cost += sum / 4;
+    return count > usual.leaf_size && (worth_slips[slip].equal ? cost <= count : cost < count);
+}
+
+// A division of `count` triangles, near where it pays.
+static int some_division(rng *g, int inside[8]) {
+    const int children = random_below(g, 9), most = 1 + random_below(g, 40);
+    double cost = 0;
+    for (int i = 0; i < 8; i++) {
+        inside[i] = random_below(g, 8) < children ? random_below(g, most + 1) : 0;
+        if (inside[i]) cost += C_STEP + C_HIT * inside[i] / 4.0;
+    }
+    const int count = (int)cost - 3 + random_below(g, 8);
+    return count > usual.leaf_size ? count : usual.leaf_size + 1;
+}
+
+// The slip that explains all answers; or -1.
+static int worth_slip(void) {
+    for (int slip = 0; slip < COUNT(worth_slips); slip++) {
+        rng g = check_rng(1426);
+        bool all = true;
+        for (int i = 0; i < 2000; i++) {
+            int inside[8];
+            const int count = some_division(&g, inside);
+            all &=
+                worth_dividing(usual, 3, count, inside) == worth_with_slip(slip, count, inside);
+        }
+        if (all) return slip;
+    }
+    return -1;
+}
+
+static void check_worth(int count, const int inside[8], bool worth, const char *why) {
+    const bool got = worth_dividing(usual, 3, count, inside);
+    if (got == worth) return;
+    const int slip = worth_slip();
+    double cost = 0;
+    for (int i = 0; i < 8; i++)
+        if (inside[i]) cost += C_STEP + C_HIT * inside[i] / 4.0;
+    given("%d triangles, leaf_size = %d; in the children %d %d %d %d %d %d %d %d%s%s\n"
+          "dividing costs %.9g, testing all %d%s%s",
+          count, usual.leaf_size, inside[0], inside[1], inside[2], inside[3], inside[4],
+          inside[5], inside[6], inside[7], *why ? ": " : "", why, cost, count,
+          slip >= 0 ? "\nit looks like: " : "", slip >= 0 ? worth_slips[slip].looks_like : "");
+    if (slip >= 0) hint_instead(worth_slips[slip].hint);
+    check_bool(__FILE__, __LINE__, "worth_dividing(how, 3, count, inside)", got, worth);
+}
+
+static void worth_random(void) {
+    rng g = check_rng(1427);
+    for (int i = 0; i < 5000; i++) {
+        int inside[8];
+        const int count = some_division(&g, inside);
+        int quarters = 0;
+        for (int k = 0; k < 8; k++)
+            if (inside[k]) quarters += 4 * C_STEP + C_HIT * inside[k];
+        check_worth(count, inside, quarters < 4 * C_HIT * count, "");
+    }
 }
 
 static void worth_cost(void) {
@@ -315,8 +749,7 @@ static void worth_cost(void) {
         {1000, {250, 250, 250, 250, 0, 0, 0, 0}, true, "a thousand in four parts"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
-        given("%d triangles; %s", rows[i].count, rows[i].why);
-        CHECK_BOOL(worth_dividing(usual, 3, rows[i].count, rows[i].inside), rows[i].worth);
+        check_worth(rows[i].count, rows[i].inside, rows[i].worth, rows[i].why);
     }
 }
 
@@ -330,184 +763,10 @@ static void worth_coincident(void) {
     const octree_figures f = octree_measure(&o);
     given("3000 times the same triangle: %d leaves, %d entries, depth %d", f.leaves, f.entries,
           f.depth);
+    hint_instead(
+        "All 3000 are in each child that one is in: the cost says no, and at the latest "
+        "the depth.");
     CHECK(f.leaves <= 8, "divides once at most: a division parts none of them");
-    octree_free(&o);
-    mesh_free(&m);
-}
-
-// ---- octree_nearest --------------------------------------------------------------------------
-
-static octree built(const mesh *m) {
-    return octree_build(m, octree_defaults);
-}
-
-// What a wrong answer looks like.
-static const char *nearest_claim(probe p, triangle_point want, triangle_point got) {
-    if (want.t == NO_HIT) return "nothing is hit";
-    if (got.t == NO_HIT) {
-        const vec3 d = p.r.d;
-        if ((d.x == 0 && signbit(d.x)) || (d.y == 0 && signbit(d.y)) ||
-            (d.z == 0 && signbit(d.z)))
-            return "the hit that brute force finds: a component of d is -0, and 1/d is "
-                   "-infinity there";
-        if (d.x == 0 || d.y == 0 || d.z == 0)
-            return "the hit that brute force finds: a component of d is 0";
-        return "the hit that brute force finds";
-    }
-    if (got.t > want.t)
-        return "the nearest hit: this one is further away. A triangle may be hit outside of "
-               "the "
-               "cell in whose list it stands, and cells before that must still be asked";
-    return "a hit with t_min < t: this one is too near";
-}
-
-static void check_nearest(const octree *o, probe p, const char *where) {
-    int want_index = -7, index = -7;
-    const triangle_point want = mesh_hit(o->m, p.r, p.t_min, p.t_max, &want_index);
-    const triangle_point got = octree_nearest(o, p.r, p.t_min, p.t_max, &index, NULL);
-    if (got.t == want.t && index == want_index) return;
-    given("%s; " PROBE, where, ARG_PROBE(p));
-    CHECK(got.t == want.t, nearest_claim(p, want, got));
-    if (want.t == NO_HIT) CHECK(index == -7, "a miss leaves *index untouched");
-    suspect_value("*index was not set", -7);
-    if (want.t == NO_HIT || index == -7) CHECK_INT(index, want_index);
-    CHECK(index == want_index, "of two equally near triangles the one with the smaller index");
-}
-
-static void nearest_in(int first, int last, int rays, uint64_t stream) {
-    rng g = check_rng(stream);
-    for (int k = first; k <= last; k++) {
-        mesh m = scene_rows[k].make(&g);
-        octree o = built(&m);
-        const aabb box = finite_box(&m);
-        for (int i = 0; i < rays && !scene_rows[k].built_only; i++)
-            check_nearest(&o, random_probe(&m, box, &g), scene_rows[k].name);
-        octree_free(&o);
-        mesh_free(&m);
-    }
-}
-
-static void nearest_few(void) {
-    nearest_in(0, 2, 1000, 1410);
-}
-static void nearest_soup(void) {
-    nearest_in(3, 3, 4000, 1411);
-}
-static void nearest_adversarial(void) {
-    nearest_in(4, COUNT(scene_rows) - 1, 1000, 1412);
-}
-
-static void nearest_minus_zero(void) {
-    rng g = check_rng(1413);
-    mesh m = scene_soup(&g);
-    octree o = built(&m);
-    for (int i = 0; i < 3000; i++) {
-        const int axis = i % 3;
-        vec3 d = {(real)-0.0, (real)-0.0, (real)-0.0};
-        *(axis == 0 ? &d.x : axis == 1 ? &d.y : &d.z) = i & 1 ? 1 : -1;
-        const vec3 O = add(point_of(&m, &g), scale(-3, d));
-        check_nearest(&o, (probe){{O, d}, 0, NO_HIT}, "a soup");
-    }
-    octree_free(&o);
-    mesh_free(&m);
-}
-
-static void nearest_inside(void) {
-    rng g = check_rng(1414);
-    mesh m = shape_cave(2000);
-    octree o = built(&m);
-    for (int i = 0; i < 1000; i++) {
-        const ray r = {scale((real)0.2, in_cube(&g)),
-                       scale((real)between(&g, 0.1, 10), in_cube(&g))};
-        check_nearest(&o, (probe){r, 0, NO_HIT}, "from inside a cave");
-    }
-    octree_free(&o);
-    mesh_free(&m);
-}
-
-// Of equal triangles the first; also when the ray comes to another of them earlier.
-static void nearest_ties(void) {
-    rng g = check_rng(1415);
-    mesh m = scene_coincident(&g);
-    octree o = built(&m);
-    const aabb box = finite_box(&m);
-    for (int i = 0; i < 3000; i++)
-        check_nearest(&o, random_probe(&m, box, &g), "the same triangles again");
-    octree_free(&o);
-    mesh_free(&m);
-}
-
-// In a closed mesh every ray from inside hits, also those through edges and corners.
-static void nearest_closed(void) {
-    rng g = check_rng(1416);
-    mesh m = shape_cave(3000);
-    octree o = built(&m);
-    for (int i = 0; i < 20000; i++) {
-        const vec3 O = scale((real)0.1, in_cube(&g)), aim = point_of(&m, &g);
-        int index = -1;
-        given("inside a cave; ray O = " VEC ", d = " VEC, ARG(O), ARG(sub(aim, O)));
-        CHECK(octree_nearest(&o, (ray){O, sub(aim, O)}, 0, NO_HIT, &index, NULL).t != NO_HIT,
-              "no ray leaves a closed mesh, not through its edges either");
-    }
-    octree_free(&o);
-    mesh_free(&m);
-}
-
-// Children asked by a walk that knows t beforehand: those of each cell that the ray enters by t.
-static long needed_steps(const octree *o, const octree_node *n, aabb cell, const slab_ray *s,
-                         real t_max) {
-    real t;
-    if (!aabb_hit(&cell, s, 0, t_max, &t)) return 1;
-    long steps = 1;
-    if (is_leaf(n)) return steps;
-    const octree_node *child = &o->nodes[n->first];
-    for (int i = 0; i < 8; i++)
-        if (is_stored(stored_children(n), i))
-            steps += needed_steps(o, child++, cell_child(cell, i), s, t_max);
-    return steps;
-}
-
-static void nearest_steps(void) {
-    rng g = check_rng(1417);
-    mesh m = shape_cloud(3000);
-    octree o = built(&m);
-    for (int i = 0; i < 2000; i++) {
-        const vec3 O = scale(3, generic_unit(&g)), d = sub(scale((real)0.5, in_cube(&g)), O);
-        const slab_ray s = slab_ray_of((ray){O, d});
-        int index = 0;
-        effort spent = {1000, 0};
-        const real t = octree_nearest(&o, (ray){O, d}, 0, NO_HIT, &index, &spent).t;
-        const real reach = t == NO_HIT ? t : t * (1 + 16 * REAL_EPSILON);
-        const long needed = needed_steps(&o, o.nodes, o.cube, &s, reach);
-        given("a cloud; ray O = " VEC ", d = " VEC ", hit at t = %.9g", ARG(O), ARG(d),
-              (double)t);
-        CHECK(spent.steps > 1000, "steps are added to what *spent held");
-        CHECK_AT_MOST(spent.steps - 1000, needed,
-                      "the cells that begin before the hit, and their brothers: nearer cells "
-                      "first, and none that begins beyond the hit");
-        if (t == NO_HIT) CHECK_INT(spent.steps - 1000, needed);
-    }
-    octree_free(&o);
-    mesh_free(&m);
-}
-
-static void nearest_deep(void) {
-    rng g = check_rng(1418);
-    soup s = soup_new(400);
-    for (int k = 0; k < 100; k++)
-        for (int i = 0; i < 4; i++)
-            soup_around(&s, scale(ldexp((real)1, -k / 4), (vec3){1, 1, 1}),
-                        ldexp((real)1, -k / 4 - 2), &g);
-    mesh m = soup_mesh(s);
-    octree o = octree_build(
-        &m, (octree_options){.leaf_size = 1, .depth = OCTREE_DEPTH, .memory = 100});
-    CHECK_INT(octree_measure(&o).depth, OCTREE_DEPTH);
-    const aabb box = finite_box(&m);
-    for (int i = 0; i < 2000; i++) check_nearest(&o, random_probe(&m, box, &g), "20 levels");
-    for (int i = 0; i < 8; i++) {
-        const vec3 d = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
-        check_nearest(&o, (probe){{scale(-3, d), d}, 0, NO_HIT}, "20 levels, the diagonals");
-    }
     octree_free(&o);
     mesh_free(&m);
 }
@@ -608,10 +867,10 @@ static void dense_like_sparse(void) {
     CHECK(dense.node_count > sparse.node_count, "empty children are stored");
     CHECK_INT(dense.entry_count, sparse.entry_count);
     CHECK_INT(dense.node_count, 8 * octree_measure(&dense).inner + 1);
-    for (int i = 0; i < 1000; i++) {
-        const probe p = random_probe(&m, finite_box(&m), &g);
-        check_nearest(&dense, p, "a soup, dense");
-    }
+    searches_begin(&dense);
+    for (int i = 0; i < 1000; i++)
+        check_nearest(random_probe(&m, finite_box(&m), &g), "a soup, dense");
+    searches_end();
     octree_free(&sparse);
     octree_free(&dense);
     mesh_free(&m);
@@ -711,7 +970,7 @@ int main(void) {
     static const char *const worth =
         "Three reasons to stop; which of them ends the division of "
         "a heap of equal triangles?";
-    static const char *const walk = "When is a hit final? Not before no cell can begin nearer.";
+    static const char *const walk = "Is the right cell asked, and when is a hit final?";
     static const char *const given_code = "Given code: did it change? Or an exercise above.";
     static const test tests[] = {
         {"child_of: 2000 generic points", child_around, child},
@@ -719,9 +978,11 @@ int main(void) {
         {"child_index: all masks", index_of_all, count},
         {"order_children: all signs", order_generic, order},
         {"order_children: components 0 and -0", order_zeros,
-         "Each child must be there once, whatever d is: no division by a component."},
+         "All signs are right where no component is 0? Then 0 or -0 spoils it: no division by "
+         "a component, no sign that is neither."},
         {"order_children: components of very different size", order_uneven,
-         "The sign decides, not the size: a sum of components forgets the small one."},
+         "All signs are right for sizes near 1? The sign decides, not the size: a sum of "
+         "components forgets the small one."},
         {"cell_overlaps: far apart", overlaps_apart, overlap},
         {"cell_overlaps: against clipping in higher precision", overlaps_generic, overlap},
         {"cell_overlaps: flat in a face", overlaps_in_face, overlap},
@@ -730,19 +991,20 @@ int main(void) {
         {"worth_dividing: the cost", worth_cost,
          "A step for each child with something in it, a quarter of what is inside; against "
          "testing all."},
+        {"worth_dividing: 5000 random divisions", worth_random,
+         "A step for each child with something in it, a quarter of what is inside; against "
+         "testing all."},
         {"worth_dividing: coincident triangles", worth_coincident, worth},
-        {"octree_nearest: none, one and two triangles", nearest_few, walk},
+        {"octree_nearest: an empty tree", nearest_empty, walk},
+        {"octree_nearest: one and two triangles", nearest_few, walk},
         {"octree_nearest: a soup", nearest_soup, walk},
-        {"octree_nearest: a component of d is -0", nearest_minus_zero,
-         "Did you write a slab test of your own? aabb_hit knows about -0. In order_children "
-         "either half may come first."},
+        {"octree_nearest: spent may be NULL", nearest_uncounted, walk},
+        {"octree_nearest: a component of d is -0", nearest_minus_zero, walk},
         {"octree_nearest: from inside", nearest_inside, walk},
-        {"octree_nearest: ties", nearest_ties, "leaf_triangles settles ties, if it is asked."},
-        {"octree_nearest: no more cells than needed", nearest_steps,
-         "The last one pushed is looked into first. And a cell that was pushed before the hit "
-         "was found may begin beyond it."},
-        {"octree_nearest: 20 levels", nearest_deep,
-         "At each level one cell leaves the stack and at most eight enter it."},
+        {"octree_nearest: ties", nearest_ties, walk},
+        {"octree_nearest: no more cells than needed", nearest_steps, walk},
+        {"octree_nearest: 20 levels", nearest_deep, walk},
+        {"octree_nearest: 20 levels, and all cells wait", nearest_full_stack, walk},
         {"octree_nearest: scenes that make trees stumble", nearest_adversarial, walk},
         {"octree_nearest: no ray leaves a closed mesh", nearest_closed, walk},
         {"octree: promises kept, and the same every time", trees_keep_promises, given_code},

@@ -1,5 +1,6 @@
 // Wrong: child i is taken to stand at place i, as in a dense tree.
-// Expect: the hit that brute force finds
+// Expect: node n->first + order[k]: only stored children have a node
+// Expect: Empty children are not stored
 #include "chapters/14-octree/cell.h"
 
 // A cell that the ray enters at t, and that is looked into later.
@@ -32,8 +33,8 @@ triangle_point octree_nearest(const octree *o, ray r, real t_min, real t_max, in
         const unsigned mask = stored_children(n);
         for (int k = 7; k >= 0; k--) {
             if (!is_stored(mask, order[k])) continue;
-            waiting next = {n->first + (order[k] < child_index(mask, 7) ? order[k] : 0), 0,
-                            cell_child(w.cell, order[k])};
+            if (n->first + order[k] >= o->node_count) continue; // or it crashes
+            waiting next = {n->first + order[k], 0, cell_child(w.cell, order[k])};
             if (spent) spent->steps++;
             if (aabb_hit(&next.cell, &s, t_min, find_limit(&f), &next.t)) stack[top++] = next;
         }

@@ -1,5 +1,5 @@
 // Wrong: the nearest child is pushed first, and so looked into last.
-// Expect: nearer cells
+// Expect: the farther children come first
 #include "chapters/14-octree/cell.h"
 
 // A cell that the ray enters at t, and that is looked into later.

@@ -1,5 +1,5 @@
 // Wrong: ties by the order in which the ray comes to the triangles.
-// Expect: of two equally near triangles the one with the smaller index
+// Expect: Where t is equal the
 #include "chapters/14-octree/cell.h"
 
 // A cell that the ray enters at t, and that is looked into later.

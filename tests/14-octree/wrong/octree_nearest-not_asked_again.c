@@ -1,5 +1,5 @@
 // Wrong: what was pushed before the hit was found is looked into, wherever it begins.
-// Expect: none that begins beyond the hit
+// Expect: what waits is not asked again when it is popped
 #include "chapters/14-octree/cell.h"
 
 // A cell that the ray enters at t, and that is looked into later.
