@@ -8,6 +8,7 @@
 #: make test-04     the chapter's tests on your exercises
 #:                  T=far: only the tests whose name contains it;  T=nearest_root, an
 #:                  exercise: only its tests, and with all other exercises solved
+#:                  SAN=1: a crash or a wrong index says in which line
 #: make hint-04     a hint for every exercise;  N=2, N=3: more of it;  T=nearest_root: for this one
 #: make progress    every exercise: not started, wrong or right
 #: make homework    your own ray tracer, exercises/homework/, checked stage by stage
@@ -28,7 +29,7 @@
 #: make soak        N=1e8 rays through the pictures of chapters 09 to 11: are all samples light?
 #: make fuzz        mutated texts through the OBJ reader for SECONDS=60; needs clang with libFuzzer
 #: make leaks       N=1e8 rays at the edges and corners of closed meshes: does one leak?
-#: make check       tests, stubs, wrong answers, texts, pictures, staircase, format
+#: make check       tests, stubs, wrong answers, homework, texts, pictures, slides, staircase, format
 #: make texts       renew the measured tables and the pictures in the texts
 #: make format      lay out all C code
 #:
@@ -150,8 +151,7 @@ $2: $B/$1
 	@echo "The picture: build/$1.png"
 mine-$2: $B/mine/$1
 	@mkdir -p build/mine
-	@$B/mine/$1 --out build/mine/$1.png $$(ARGS) || { \
-		echo "The program failed: make test-$2 tells which exercise, and why." >&2; exit 1; }
+	@sh tests/tools/mine.sh test-$2 $B/mine/$1 --out build/mine/$1.png $$(ARGS)
 	@echo "The picture: build/mine/$1.png"
 # T=exercise: that one is the student's and all others are solved, so none is in its way.
 test-$2: $(if $(filter $T,$(call exercises,$1)),$B/one/$1/$T,$B/test-mine/$1)
@@ -265,7 +265,8 @@ $B/slides-figures: $(patsubst %.c,$B/obj/%.o,$(wildcard slides/figures/*.c)) \
 		$(call modules,11-fresnel) $(call solved,11-fresnel) $(COMMON)
 	$(LINK)
 slides/node_modules/.package-lock.json: slides/package-lock.json
-	@cd slides && PUPPETEER_SKIP_DOWNLOAD=1 npm ci --no-audit --no-fund
+	@command -v npm >/dev/null || { echo "slides: needs npm and chromium (see CONTRIBUTING.md)" >&2; exit 1; }
+	@cd slides && PUPPETEER_SKIP_DOWNLOAD=1 npm ci --no-audit --no-fund --loglevel=error
 .PHONY: slides check-slides
 slides: $B/slides-figures slides/node_modules/.package-lock.json
 	@mkdir -p build/slides/figures && $< build/slides/figures
@@ -277,7 +278,7 @@ check-slides: slides
 # ---- for those who work on the course ------------------------------------------------
 SOURCES = $(wildcard slides/figures/*.[ch] common/*.[ch] tests/*.[ch] tests/tools/*.c tests/homework/*.[ch] tests/*/*/*.c chapters/*/*.[ch] exercises/*/*.c solutions/*/*.[ch])
 
-check: test check-stubs check-variants check-homework check-complete check-staircase check-texts check-pictures check-format
+check: test check-stubs check-variants check-homework check-complete check-staircase check-texts check-pictures check-slides check-format
 	@echo "make check: all is well"
 
 .PHONY: check-stubs check-variants check-complete check-staircase check-texts check-pictures check-format

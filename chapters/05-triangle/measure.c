@@ -468,9 +468,9 @@ static void leak_rows(const closed_mesh *c, variant f) {
     for (aim at = EDGE; at <= EXACT_CORNER; at++) {
         const tally t = leaks(c, f.hit, at, rays[at]);
         const double n = (double)t.rays;
-        csv_row("triangle: leaks", f.name, "aim", at, "leaks per ray", (double)t.leaks / n,
+        csv_row("triangle: leaks", f.name, "aim", at, "rays that leak", (double)t.leaks / n,
                 "ns", NAN);
-        csv_row("triangle: double hits", f.name, "aim", at, "double hits per ray",
+        csv_row("triangle: double hits", f.name, "aim", at, "rays that hit twice",
                 (double)t.doubles / n, "ns", NAN);
     }
 }

@@ -93,9 +93,10 @@ static candidate cheapest(const bin *bins, int count, aabb box, int axis, candid
     return best;
 }
 
-// Few triangles need few bins.
+// Few triangles need few bins, two of them only two.
 static int bins_for(int count, bvh_options how) {
-    return count / 8 + 4 < how.bins ? count / 8 + 4 : how.bins;
+    if (count == 2) return 2;
+    return count / 8 + 3 < how.bins ? count / 8 + 3 : how.bins;
 }
 
 static real plane_of(slices s, candidate c) {

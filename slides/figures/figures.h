@@ -1,5 +1,5 @@
 // figures.h: all figures of the slides that no chapter's program draws. What is marked in them is
-// computed by the chapters' own functions.
+// computed, where a chapter has a function for it by that.
 #ifndef SLIDES_FIGURES_H
 #define SLIDES_FIGURES_H
 
@@ -13,7 +13,12 @@ figure camera_figure, backwards_figure, plane_figure, sphere_figure, triangle_fi
 // light.c
 figure cosine_figure, solid_angle_figure, path_figure, lamp_figure, snell_figure;
 // trees.c
-figure slab_figure, boxes_figure, split_figure, bvh_figure, flat_figure, kd_figure,
-    octree_figure;
+figure slab_figure, boxes_figure, split_figure, bvh_figure, flat_figure;
+// cells.c
+figure kd_figure, straddle_figure, octree_figure, order_figure;
+// chance.c
+figure darts_figure, importance_figure, lift_figure;
+// the later ones of light.c and trees.c
+figure fresnel_figure, leaf_figure;
 
 #endif

@@ -10,9 +10,10 @@
 
 enum { FONT = 26 };
 
-static const char *const colors[] = {"#1d3557", "#c1121f", "#6c757d", "#e09f00", "#b8c0c8"};
-static const double widths[] = {3.5, 3, 1.8, 3, 1.5};
-static const char *const dashes[] = {"none", "none", "7 6", "none", "none"};
+static const char *const colors[] = {"#1d3557", "#c1121f", "#6c757d",
+                                     "#e09f00", "#b8c0c8", "#c1121f"};
+static const double widths[] = {3.5, 3, 1.8, 3, 1.5, 1.2};
+static const char *const dashes[] = {"none", "none", "7 6", "none", "none", "none"};
 
 static double px(const drawing *d, double x) {
     return (x - d->left) * d->scale;

@@ -20,7 +20,7 @@ drawing svg_begin(const char *folder, const char *name, point low, point high, d
 void svg_end(drawing *d);
 
 // How lines look: named by what they stand for.
-typedef enum { OBJECT, RAY, HELP, LIGHT, FAINT } pen;
+typedef enum { OBJECT, RAY, HELP, LIGHT, FAINT, THIN } pen;
 
 void svg_line(drawing *d, point a, point b, pen p);
 void svg_arrow(drawing *d, point from, point to, pen p);

@@ -1,270 +1,200 @@
-// trees.c: boxes, splits and cells, in two dimensions.
+// trees.c: the slab test, boxes and splits, in two dimensions.
 #include "common/real.h"
-#include <stdlib.h>
+#include <stdbool.h>
 
 #include "common/rng.h"
 #include "slides/figures/figures.h"
-
-static double lesser(double a, double b) {
-    return a < b ? a : b;
-}
-static double greater(double a, double b) {
-    return a > b ? a : b;
-}
+#include "slides/figures/things.h"
 
 // ---- the slab test --------------------------------------------------------------------
 
-// The ray is in the box where it is between the planes of x and between those of y.
+static void draw_span(drawing *d, double y, double from, double to, pen p, const char *name) {
+    svg_line(d, (point){from, y}, (point){to, y}, p);
+    svg_dot(d, (point){from, y}, p);
+    svg_dot(d, (point){to, y}, p);
+    svg_symbol(d, (point){-0.1, y}, 0, 0, name);
+}
+
+// The ray is in the box where it is between the planes of x and between those of y. Below, the
+// same as spans of t.
 void slab_figure(const char *folder) {
-    drawing d = svg_begin(folder, "slab", (point){-0.4, -0.4}, (point){7.4, 3.6}, 900);
-    const point low = {2.6, 1}, high = {4.6, 2.4}, O = {0.3, 0.35}, u = {1, 0.42};
-    const double x1 = (low.x - O.x) / u.x, x2 = (high.x - O.x) / u.x;
-    const double y1 = (low.y - O.y) / u.y, y2 = (high.y - O.y) / u.y;
-    const double enter = greater(x1, y1), leave = lesser(x2, y2);
-    svg_box(&d, low, high, OBJECT, PALE);
+    drawing d = svg_begin(folder, "slab", (point){-0.4, -2.5}, (point){7.6, 4}, 640);
+    const box b = {{2.4, 1.2}, {4.6, 2.7}};
+    const line l = {{0.4, 0.3}, {1, 0.52}};
+    const double x1 = (b.low.x - l.O.x) / l.u.x, x2 = (b.high.x - l.O.x) / l.u.x;
+    const double y1 = (b.low.y - l.O.y) / l.u.y, y2 = (b.high.y - l.O.y) / l.u.y;
+    double enter, leave;
+    line_in(l, b, &enter, &leave);
+    svg_box(&d, b.low, b.high, OBJECT, PALE);
     for (int i = 0; i < 2; i++) {
-        const double x = i ? high.x : low.x, y = i ? high.y : low.y;
-        svg_line(&d, (point){x, -0.3}, (point){x, 3.5}, HELP);
-        svg_line(&d, (point){-0.3, y}, (point){7.3, y}, HELP);
+        const double x = i ? b.high.x : b.low.x, y = i ? b.high.y : b.low.y;
+        svg_line(&d, (point){x, -2.4}, (point){x, 3.6}, HELP);
+        svg_line(&d, (point){0.2, y}, (point){6.5, y}, HELP);
+        svg_symbol(&d, (point){x, 3.6}, 0, 0.6, i ? "x_max" : "x_min");
+        svg_symbol(&d, (point){6.5, y}, 1.1, 0, i ? "y_max" : "y_min");
     }
-    svg_arrow(&d, O, (point){O.x + 6.6 * u.x, O.y + 6.6 * u.y}, OBJECT);
-    svg_line(&d, (point){O.x + enter * u.x, O.y + enter * u.y},
-             (point){O.x + leave * u.x, O.y + leave * u.y}, RAY);
-    const double ts[] = {x1, x2, y1, y2};
-    const char *names[] = {"x_1", "x_2", "y_1", "y_2"};
-    for (int i = 0; i < 4; i++) {
-        const point at = {O.x + ts[i] * u.x, O.y + ts[i] * u.y};
-        svg_dot(&d, at, i < 2 ? OBJECT : LIGHT);
-        svg_symbol(&d, at, i == 2 ? -0.5 : 0.5, i == 2 ? 0.8 : -0.8, names[i]);
+    svg_arrow(&d, l.O, line_at(l, 6), OBJECT);
+    svg_line(&d, line_at(l, enter), line_at(l, leave), RAY);
+    for (int i = 0; i < 2; i++) {
+        svg_dot(&d, line_at(l, i ? x2 : x1), OBJECT);
+        svg_dot(&d, line_at(l, i ? y2 : y1), LIGHT);
     }
-    svg_symbol(&d, O, -0.3, 0.7, "O");
+    svg_symbol(&d, l.O, -0.5, 0.5, "O");
+    // x = O.x + t for this ray: a span of t stands below the part of the ray that it means
+    draw_span(&d, -0.7, l.O.x + x1, l.O.x + x2, OBJECT, "t_x");
+    draw_span(&d, -1.4, l.O.x + y1, l.O.x + y2, LIGHT, "t_y");
+    draw_span(&d, -2.1, l.O.x + enter, l.O.x + leave, RAY, "t");
     svg_end(&d);
 }
 
-// ---- things in the plane ------------------------------------------------------------------
+// ---- where to divide ------------------------------------------------------------------
 
-enum { THINGS = 14 };
-typedef struct {
-    point low, high;
-    double r;
-    point c;
-} thing;
-
-static bool apart(const thing *t, int count, point c, double r) {
-    for (int i = 0; i < count; i++)
-        if (hypot(t[i].c.x - c.x, t[i].c.y - c.y) < t[i].r + r + 0.05) return false;
-    return true;
+static drawing begin(const char *folder, const char *name, double depth_below) {
+    return svg_begin(folder, name, (point){-0.1, -0.1 - depth_below},
+                     (point){SIDE + 0.1, SIDE + 0.1}, 560);
 }
 
-// Most of them in one corner, the others scattered over the rest of the box.
-static void things_make(thing *t) {
-    enum { CROWD = 9 };
-    static const point lows[] = {{4, 0.4}, {7.2, 0.5}, {5.3, 2.6}, {7.3, 3.5}, {1.5, 3.6}};
-    static const point near = {0.3, 0.3}, crowd = {3, 2.6}, lone = {1.5, 1.1};
-    rng g = rng_seed(9, 14);
-    for (int i = 0; i < THINGS;) {
-        const point low = i < CROWD ? near : lows[i - CROWD], size = i < CROWD ? crowd : lone;
-        const double x = rng_double(&g), y = rng_double(&g), r = 0.13 + 0.2 * rng_double(&g);
-        const point c = {low.x + size.x * x, low.y + size.y * y};
-        if (!apart(t, i, c, r)) continue;
-        t[i++] = (thing){{c.x - r, c.y - r}, {c.x + r, c.y + r}, r, c};
+// Random lines that meet the box of all: those in red also meet the left box.
+static void draw_lines(drawing *d, box all, box inner) {
+    rng g = rng_seed(1, 2);
+    const point c = {(all.low.x + all.high.x) / 2, (all.low.y + all.high.y) / 2};
+    const double radius = hypot(all.high.x - c.x, all.high.y - c.y);
+    for (int lines = 0; lines < 40;) {
+        const double angle = PI * rng_double(&g), off = radius * (2 * rng_double(&g) - 1);
+        const point u = {cos(angle), sin(angle)};
+        const line l = {{c.x - off * u.y - 20 * u.x, c.y + off * u.x - 20 * u.y}, u};
+        double enter, leave, t0, t1;
+        line_in(l, all, &enter, &leave);
+        if (enter > leave) continue;
+        line_in(l, inner, &t0, &t1);
+        svg_line(d, line_at(l, enter), line_at(l, leave), t0 <= t1 ? THIN : FAINT);
+        lines++;
     }
-}
-
-static void draw_things(drawing *d, const thing *t, int count) {
-    for (int i = 0; i < count; i++) svg_circle(d, t[i].c, t[i].r, OBJECT, PALE);
-}
-
-typedef struct {
-    point low, high;
-} box;
-
-static box box_of(const thing *t, int count) {
-    box b = {t[0].low, t[0].high};
-    for (int i = 1; i < count; i++) {
-        b.low = (point){lesser(b.low.x, t[i].low.x), lesser(b.low.y, t[i].low.y)};
-        b.high = (point){greater(b.high.x, t[i].high.x), greater(b.high.y, t[i].high.y)};
-    }
-    return b;
-}
-
-static double around(box b) { // in the plane a line meets a box in proportion to this
-    return 2 * (b.high.x - b.low.x + b.high.y - b.low.y);
-}
-
-static int by_x(const void *a, const void *b) {
-    const double x = ((const thing *)a)->c.x, y = ((const thing *)b)->c.x;
-    return (x > y) - (x < y);
-}
-static int by_y(const void *a, const void *b) {
-    const double x = ((const thing *)a)->c.y, y = ((const thing *)b)->c.y;
-    return (x > y) - (x < y);
-}
-
-// The cheapest of all splits by the slide's c; the things are left sorted for it.
-static int cheapest(thing *t, int count) {
-    double best = INFINITY;
-    int axis = 0, left = 0;
-    for (int a = 0; a < 2; a++) {
-        qsort(t, (size_t)count, sizeof *t, a ? by_y : by_x);
-        for (int k = 1; k < count; k++) {
-            const double c =
-                k * around(box_of(t, k)) + (count - k) * around(box_of(t + k, count - k));
-            if (c < best) best = c, axis = a, left = k;
-        }
-    }
-    qsort(t, (size_t)count, sizeof *t, axis ? by_y : by_x);
-    return left;
-}
-
-static const point corner_low = {0, 0}, corner_high = {9, 5};
-
-static drawing begin(const char *folder, const char *name) {
-    return svg_begin(folder, name, (point){-0.2, -0.2}, (point){9.2, 5.2}, 900);
 }
 
 void boxes_figure(const char *folder) {
-    drawing d = begin(folder, "boxes");
+    drawing d = begin(folder, "boxes", 0);
     thing t[THINGS];
     things_make(t);
     const int left = cheapest(t, THINGS);
-    const box all = box_of(t, THINGS), l = box_of(t, left), r = box_of(t + left, THINGS - left);
+    const box all = things_box(t, THINGS), l = things_box(t, left),
+              r = things_box(t + left, THINGS - left);
+    draw_lines(&d, all, l);
+    things_draw(&d, t, THINGS);
     svg_box(&d, all.low, all.high, OBJECT, NO_FILL);
     svg_box(&d, l.low, l.high, RAY, NO_FILL);
     svg_box(&d, r.low, r.high, LIGHT, NO_FILL);
-    draw_things(&d, t, THINGS);
+    svg_symbol(&d, (point){all.low.x, all.high.y}, 0.9, -0.9, "A");
+    svg_symbol(&d, (point){l.low.x, l.high.y}, 1.8, 0.8, "A_l");
+    svg_symbol(&d, r.low, 1, 0.9, "A_r");
     svg_end(&d);
 }
 
-// Median, midpoint and the cheapest, as three lines through the same things.
+static void draw_upright(drawing *d, double x, pen p, const char *name) {
+    svg_line(d, (point){x, -2.6}, (point){x, SIDE - 0.5}, p);
+    svg_symbol(d, (point){x, SIDE - 0.2}, 0, 0, name);
+}
+
+// Median, midpoint and the cheapest, as three lines through the same things; below, what each
+// place to cut costs.
 void split_figure(const char *folder) {
-    drawing d = begin(folder, "split");
+    drawing d = begin(folder, "split", 2.7);
     thing t[THINGS];
     things_make(t);
-    qsort(t, THINGS, sizeof *t, by_x);
+    things_sort(t, THINGS, 0);
     const double median = (t[THINGS / 2 - 1].c.x + t[THINGS / 2].c.x) / 2;
     const double middle = (t[0].c.x + t[THINGS - 1].c.x) / 2;
-    const int left = cheapest(t, THINGS);
-    const bool upright = t[left].c.x > t[left - 1].c.x && t[left].c.x >= t[left - 1].high.x;
-    const double best = (t[left - 1].c.x + t[left].c.x) / 2;
-    draw_things(&d, t, THINGS);
-    svg_line(&d, (point){median, 0}, (point){median, 5}, OBJECT);
-    svg_line(&d, (point){middle, 0}, (point){middle, 5}, HELP);
-    if (upright) svg_line(&d, (point){best, 0}, (point){best, 5}, RAY);
-    svg_symbol(&d, (point){median, 5}, -0.4, -0.4, "1");
-    svg_symbol(&d, (point){middle, 5}, 0.4, -0.4, "2");
-    if (upright) svg_symbol(&d, (point){best, 5}, 0.4, -0.4, "3");
+    double cost[THINGS] = {0}, most = 0;
+    int best = 1;
+    for (int k = 1; k < THINGS; k++) {
+        cost[k] = split_cost(t, THINGS, k);
+        if (cost[k] > most) most = cost[k];
+        if (cost[k] < cost[best]) best = k;
+    }
+    draw_upright(&d, median, OBJECT, "1");
+    draw_upright(&d, middle, LIGHT, "2");
+    draw_upright(&d, (t[best - 1].c.x + t[best].c.x) / 2, RAY, "3");
+    things_draw(&d, t, THINGS);
+    svg_line(&d, (point){0, -2.6}, (point){SIDE, -2.6}, OBJECT);
+    for (int k = 1; k < THINGS; k++) { // between two centres the cut may lie anywhere
+        const double y = -2.6 + 2.2 * cost[k] / most;
+        svg_line(&d, (point){t[k - 1].c.x, y}, (point){t[k].c.x, y}, OBJECT);
+        if (k > 1)
+            svg_line(&d, (point){t[k - 1].c.x, -2.6 + 2.2 * cost[k - 1] / most},
+                     (point){t[k - 1].c.x, y}, FAINT);
+    }
+    svg_symbol(&d, (point){0, -0.4}, 0.5, 0, "c");
     svg_end(&d);
 }
 
-static void draw_tree(drawing *d, thing *t, int count, int depth) {
-    static const pen pens[] = {OBJECT, RAY, LIGHT, HELP, FAINT};
-    const box b = box_of(t, count);
-    svg_box(d, b.low, b.high, pens[depth < 4 ? depth : 4], NO_FILL);
-    if (count <= 2) return;
+// What n things cost as a leaf, and divided: a step, and two halves with 2/3 of the surface each.
+void leaf_figure(const char *folder) {
+    drawing d = svg_begin(folder, "leaf", (point){-0.6, -1}, (point){8.4, 6.6}, 520);
+    svg_arrow(&d, (point){0, 0}, (point){7.4, 0}, OBJECT);
+    svg_arrow(&d, (point){0, 0}, (point){0, 6.4}, OBJECT);
+    svg_line(&d, (point){0, 0}, (point){6, 6}, RAY);
+    svg_line(&d, (point){0, 1}, (point){6, 5}, LIGHT);
+    svg_line(&d, (point){3, 0}, (point){3, 3}, HELP);
+    svg_dot(&d, (point){3, 3}, OBJECT);
+    svg_symbol(&d, (point){7.4, 0}, 0.6, 0, "n");
+    svg_symbol(&d, (point){3, 0}, 0, -0.8, "3");
+    svg_symbol(&d, (point){6, 6}, 0.6, 0.2, "n");
+    svg_symbol(&d, (point){6, 5}, 2.1, -0.1, "1 + 2n/3");
+    svg_end(&d);
+}
+
+// ---- the tree of boxes ----------------------------------------------------------------
+
+// A ray goes down: solid boxes are met, dashed ones asked and missed, pale ones never asked.
+static void draw_tree(drawing *d, thing *t, int count, line l, bool asked) {
+    const box b = things_box(t, count);
+    double enter, leave;
+    line_in(l, b, &enter, &leave);
+    const bool met = asked && enter <= leave, leaf = count <= 2;
+    svg_box(d, b.low, b.high,
+            met     ? OBJECT
+            : asked ? HELP
+                    : FAINT,
+            met && leaf ? WARM : NO_FILL);
+    if (leaf) {
+        things_draw(d, t, count);
+        return;
+    }
     const int left = cheapest(t, count);
-    draw_tree(d, t, left, depth + 1);
-    draw_tree(d, t + left, count - left, depth + 1);
+    draw_tree(d, t, left, l, met);
+    draw_tree(d, t + left, count - left, l, met);
 }
 
 void bvh_figure(const char *folder) {
-    drawing d = begin(folder, "bvh");
+    drawing d = begin(folder, "bvh", 0);
     thing t[THINGS];
     things_make(t);
-    draw_things(&d, t, THINGS);
-    draw_tree(&d, t, THINGS, 0);
+    const line l = {{0, 4.4}, {8, 2.6}};
+    draw_tree(&d, t, THINGS, l, true);
+    svg_arrow(&d, l.O, line_at(l, line_hit(l, t, THINGS)), RAY);
     svg_end(&d);
 }
 
 // ---- the tree as an array -----------------------------------------------------------------
 
-static void link_down(drawing *d, point from, point to) {
-    svg_line(d, from, to, HELP);
-}
-
 void flat_figure(const char *folder) {
-    drawing d = svg_begin(folder, "flat", (point){-0.3, -0.3}, (point){9.3, 4.4}, 950);
-    static const point at[] = {{4.6, 4}, {2.6, 3}, {6.6, 3}, {1.6, 2},
-                               {3.4, 2}, {5.7, 2}, {7.5, 2}};
+    drawing d = svg_begin(folder, "flat", (point){-0.1, -0.9}, (point){8.3, 4.4}, 720);
+    static const point at[] = {{4.1, 4}, {2.1, 3}, {6.1, 3}, {1.1, 2},
+                               {3.1, 2}, {5.1, 2}, {7.1, 2}};
     static const int parent[] = {-1, 0, 0, 1, 1, 2, 2};
     static const char *names[] = {"A", "B", "C", "D", "E", "F", "G"};
     static const int order[] = {0, -1, 1, 2, 3, 4, 5, 6};
-    for (int i = 1; i < 7; i++) link_down(&d, at[parent[i]], at[i]);
+    static const char *places[] = {"0", "1", "2", "3", "4", "5", "6", "7"};
+    for (int i = 1; i < 7; i++) svg_line(&d, at[parent[i]], at[i], HELP);
     for (int i = 0; i < 7; i++) {
-        svg_circle(&d, at[i], 0.3, OBJECT, i < 3 ? PALE : WARM);
+        svg_circle(&d, at[i], 0.32, OBJECT, i < 3 ? PALE : WARM);
         svg_symbol(&d, at[i], 0, 0, names[i]);
     }
     for (int i = 0; i < 8; i++) {
-        const point low = {0.5 + i, 0.1}, high = {1.5 + i, 0.9};
+        const point low = {0.1 + i, 0.1}, high = {1.1 + i, 0.9};
         svg_box(&d, low, high, OBJECT, order[i] < 0 ? NO_FILL : order[i] < 3 ? PALE : WARM);
-        if (order[i] >= 0) svg_symbol(&d, (point){1 + i, 0.5}, 0, 0, names[order[i]]);
+        if (order[i] >= 0) svg_symbol(&d, (point){0.6 + i, 0.5}, 0, 0, names[order[i]]);
+        svg_words(&d, (point){0.6 + i, -0.4}, 0, 0, places[i]);
     }
-    svg_end(&d);
-}
-
-// ---- cells ------------------------------------------------------------------------------
-
-static int touching(const thing *t, box cell) {
-    int count = 0;
-    for (int i = 0; i < THINGS; i++) {
-        const double x = lesser(greater(t[i].c.x, cell.low.x), cell.high.x) - t[i].c.x;
-        const double y = lesser(greater(t[i].c.y, cell.low.y), cell.high.y) - t[i].c.y;
-        if (hypot(x, y) <= t[i].r) count++;
-    }
-    return count;
-}
-
-// Spatial splits: the cheapest of many planes, counting what straddles on both sides.
-static void draw_kd(drawing *d, const thing *t, box cell, int depth) {
-    const int here = touching(t, cell);
-    if (here <= 2 || depth == 0) return;
-    enum { TRIES = 40 };
-    double best = here * around(cell);
-    box l = cell, r = cell;
-    for (int i = 1; i < 2 * TRIES; i++) {
-        const double share = (double)(i % TRIES) / TRIES;
-        if (share == 0) continue;
-        box a = cell, b = cell;
-        if (i < TRIES)
-            a.high.x = b.low.x = cell.low.x + share * (cell.high.x - cell.low.x);
-        else
-            a.high.y = b.low.y = cell.low.y + share * (cell.high.y - cell.low.y);
-        const double c = touching(t, a) * around(a) + touching(t, b) * around(b);
-        if (c < best) best = c, l = a, r = b;
-    }
-    if (best == here * around(cell)) return;
-    svg_line(d, (point){r.low.x, r.low.y}, l.high, RAY);
-    draw_kd(d, t, l, depth - 1);
-    draw_kd(d, t, r, depth - 1);
-}
-
-void kd_figure(const char *folder) {
-    drawing d = begin(folder, "kd");
-    thing t[THINGS];
-    things_make(t);
-    draw_things(&d, t, THINGS);
-    draw_kd(&d, t, (box){corner_low, corner_high}, 6);
-    svg_box(&d, corner_low, corner_high, OBJECT, NO_FILL);
-    svg_end(&d);
-}
-
-static void draw_octree(drawing *d, const thing *t, box cell, int depth) {
-    svg_box(d, cell.low, cell.high, RAY, NO_FILL);
-    if (touching(t, cell) <= 2 || depth == 0) return;
-    const point c = {(cell.low.x + cell.high.x) / 2, (cell.low.y + cell.high.y) / 2};
-    for (int i = 0; i < 4; i++) {
-        const point low = {i & 1 ? c.x : cell.low.x, i & 2 ? c.y : cell.low.y};
-        const point high = {i & 1 ? cell.high.x : c.x, i & 2 ? cell.high.y : c.y};
-        draw_octree(d, t, (box){low, high}, depth - 1);
-    }
-}
-
-void octree_figure(const char *folder) {
-    drawing d = begin(folder, "octree");
-    thing t[THINGS];
-    things_make(t);
-    draw_things(&d, t, THINGS);
-    draw_octree(&d, t, (box){corner_low, corner_high}, 4);
-    svg_box(&d, corner_low, corner_high, OBJECT, NO_FILL);
     svg_end(&d);
 }
