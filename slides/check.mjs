@@ -82,9 +82,15 @@ function minutesOf(rows, where) {
 }
 const first = minutesOf(plan.filter((p) => p.name.slice(0, 2) <= lastBeforeBreak), 'the first half');
 const second = minutesOf(plan.filter((p) => p.name.slice(0, 2) > lastBeforeBreak), 'the second half');
+// `make 06 ARGS="--show fuzzy"`, `make 06`: `make 06`; fuzzy
+function demos(commands) {
+  const shows = commands.flatMap((c) => [...c.matchAll(/ARGS="(?:--show )?([^"]*)"/g)].map((m) => m[1]));
+  const makes = [...new Set(commands.map((c) => c.replace(/ ARGS="[^"]*"/, '')))].sort();
+  return makes.join(', ') + (shows.length ? `; ${shows.join(', ')}` : '');
+}
 const readme = readFileSync(join(here, 'README.md'), 'utf8');
 for (const p of plan) {
-  const row = `| ${p.name} | ${p.slides} | ${p.minutes} | ${p.demos.join(', ')} |`;
+  const row = `| ${p.name} | ${p.slides} | ${p.minutes} | ${demos(p.demos)} |`;
   if (!readme.includes(row)) say(`README.md should say: ${row}`);
 }
 for (const total of [first, second])
