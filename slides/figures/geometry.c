@@ -40,7 +40,7 @@ void camera_figure(const char *folder) {
     svg_dot(&d, O, OBJECT);
     svg_dot(&d, b, RAY);
     svg_vector(&d, O, -0.9, 0, "O");
-    svg_vector(&d, b, 0.65, -0.65, "b");
+    svg_vector(&d, b, 0.8, -0.65, "b");
     svg_end(&d);
 }
 
@@ -57,9 +57,9 @@ void backwards_figure(const char *folder) {
             plane_hit((plane){{0, 0, 0}, {0, 1, 0}}, (ray){vec(lamp), vec(u)}, 0, NO_HIT);
         svg_arrow(&d, plus(lamp, 0.15, u), plus(lamp, t < 2.7 ? (double)t : 0.7, u), LIGHT);
     }
+    svg_line(&d, floor, lamp, HELP);
     svg_circle(&d, lamp, 0.12, LIGHT, WARM);
     svg_arrow(&d, eye, floor, RAY);
-    svg_line(&d, floor, lamp, HELP);
     svg_circle(&d, eye, 0.11, OBJECT, PALE);
     svg_end(&d);
 }
@@ -222,7 +222,7 @@ void fuzzy_figure(const char *folder) {
 
 // A ray that bounces between three balls until it leaves: each colour multiplies.
 void loop_figure(const char *folder) {
-    drawing d = svg_begin(folder, "loop", (point){-0.2, -0.5}, (point){6.6, 4.9}, 620);
+    drawing d = svg_begin(folder, "loop", (point){-0.2, -0.5}, (point){6.6, 4.9}, 460);
     const sphere balls[] = {{{(real)3.1, (real)0.6, 0}, (real)0.9},
                             {{(real)2.3, (real)2.75, 0}, (real)0.45},
                             {{(real)5.6, (real)2.2, 0}, (real)0.8}};

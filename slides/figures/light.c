@@ -36,7 +36,7 @@ void cosine_figure(const char *folder) {
 }
 
 void solid_angle_figure(const char *folder) {
-    drawing d = svg_begin(folder, "solid-angle", (point){-2.1, -0.6}, (point){3.6, 3.4}, 560);
+    drawing d = svg_begin(folder, "solid-angle", (point){-2.1, -0.6}, (point){3.6, 3.4}, 460);
     const point x = {0, 0}, c = {2.3, 2.5};
     const double r = 0.7, far = hypot(c.x, c.y), middle = atan2(c.y, c.x), half = asin(r / far);
     svg_line(&d, (point){-2.1, 0}, (point){3.6, 0}, OBJECT);

@@ -20,7 +20,8 @@ static thing small_in_the_corner(rng *g) {
 
 static thing large_elsewhere(int i, rng *g) {
     const double x = rng_double(g), y = rng_double(g), size = rng_double(g);
-    return (thing){{3.6 + 0.95 * i + 0.3 * x, 0.8 + 6.6 * y}, 0.24 + 0.16 * size};
+    const double r = 0.24 + 0.16 * size, within = SIDE - r - 0.1;
+    return (thing){{fmin(3.6 + 0.95 * i + 0.3 * x, within), 0.8 + 6.6 * y}, r};
 }
 
 void things_make(thing *t) {
