@@ -147,7 +147,10 @@ kd_tree kd_build(const mesh *m, kd_options how) {
     }
     progress shown;
     const bool large = all.count > 300000;
-    if (large) shown = progress_start("building the tree", (long)all.budget, NULL);
+    if (large) {
+        shown = progress_start("building the tree", (long)all.budget, NULL);
+        shown.unit = "shares of the budget";
+    }
     builder b = {&tree, 64, 64, kd_depth_limit(all.count), large ? &shown : NULL};
     tree.nodes = grown(NULL, b.node_room, sizeof *tree.nodes);
     tree.lists = grown(NULL, b.list_room, sizeof *tree.lists);
