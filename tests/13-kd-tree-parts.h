@@ -488,7 +488,8 @@ static void check_clip_exactly(triangle T, aabb cell) {
     exact_point part[16], more[16];
     const int n = exact_clip(T, cell, 0, part), m = exact_clip(T, cell, slack, more);
     given_clip(T, cell);
-    hint_instead("The cell is closed. Is it larger by the margin before T is cut?");
+    hint_instead(
+        "The cell is closed. Is it larger by the margin before T is cut, and all in double?");
     CHECK(n == 0 || !box_is_empty(box), "a part of T is in the cell: the bounds are not empty");
     hint_instead("When no corner of the polygon is left: aabb_empty. Is the margin a few "
                  "roundings of double, not of real?");
