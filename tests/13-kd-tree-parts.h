@@ -45,21 +45,48 @@ static void given_answer(real split, real O, real d, span in, sides_of_ray s) {
           (double)s.below.t1, (double)s.above.t0, (double)s.above.t1);
 }
 
+// Is x, or x / size, 0.01, 0.001 … 1e-7, as somebody would write it?
+static bool is_epsilon(double x, double size) {
+    for (double e = 1e-2; e > 5e-8; e /= 10)
+        if (fabs(fabs(x) / e - 1) < 0.02 || fabs(fabs(x / size) / e - 1) < 0.02) return true;
+    return false;
+}
+
+static const char *const an_epsilon =
+    "Rounding is off by less than KD_EARLIER and KD_LATER say: no epsilon besides.";
+
+// Where a part ends or begins at the plane, and got is not t.
+static void suspect_at_plane(double got, double t) {
+    const double off = got - t;
+    if (fabs(off) <= t_slack * fabs(t)) return;
+    if (is_epsilon(off, t)) {
+        suspect_value("t and an epsilon", got);
+        hint_instead(an_epsilon);
+    } else if (fabs(off) < 1e-4 * fabs(t)) {
+        suspect_value("t, moved by more than KD_EARLIER or KD_LATER", got);
+    }
+}
+
 // Both children, the one below first (0) or the one above (1), parted at t.
 static void check_both(real split, real O, real d, span in, int first, double t) {
     const kd_order o = kd_children(split, O, 1 / d, in);
     given_plane(split, O, d, in);
     suspect_value("the order of another ray: which child does it come to first?", 1 - first);
     check_int(__FILE__, __LINE__, "kd_children(plane, O, 1 / d, in).first", o.first, first);
+    given_plane(split, O, d, in);
     check_real(__FILE__, __LINE__, NEAR_PART ".t0", (double)o.near.t0, (double)in.t0,
                exactly());
     check_real(__FILE__, __LINE__, FAR_PART ".t1", (double)o.far.t1, (double)in.t1, exactly());
     suspect_value("minus t: (plane - O) / d", -t);
     suspect_value("the end of the cell: the near part ends at the plane", (double)in.t1);
+    suspect_value("divided by inverse, which is 1 / d",
+                  ((double)split - (double)O) * (double)d);
+    suspect_at_plane((double)o.near.t1, t);
     check_real(__FILE__, __LINE__, NEAR_PART ".t1", (double)o.near.t1, t,
                relative_to(t_slack, t_why));
     given_plane(split, O, d, in);
     suspect_value("the start in the cell: the far part begins at the plane", (double)in.t0);
+    suspect_at_plane((double)o.far.t0, t);
     check_real(__FILE__, __LINE__, FAR_PART ".t0", (double)o.far.t0, t,
                relative_to(t_slack, t_why));
 }
@@ -76,8 +103,9 @@ static void check_one(real split, real O, real d, span in, int which, const char
     const sides_of_ray s = asked(split, O, d, in);
     const span yes = which ? s.above : s.below, no = which ? s.below : s.above;
     given("the plane at %.9g; along its axis O = %.9g, d = %.9g; in the cell for t = %.9g to "
-          "%.9g\n%s",
-          (double)split, (double)O, (double)d, (double)in.t0, (double)in.t1, why);
+          "%.9g\n%s\nyour answer: below for t = %.9g to %.9g, above for t = %.9g to %.9g",
+          (double)split, (double)O, (double)d, (double)in.t0, (double)in.t1, why,
+          (double)s.below.t0, (double)s.below.t1, (double)s.above.t0, (double)s.above.t1);
     CHECK(yes.t0 <= in.t0 && yes.t1 >= in.t1,
           which ? "the whole span is above the plane" : "the whole span is below the plane");
     CHECK(!visited(no), which ? "nothing of it is below" : "nothing of it is above");
@@ -117,15 +145,31 @@ static void children_on_plane(void) {
         CHECK(yes.t0 <= 0 && yes.t1 >= 9, "from t = 0 on it is on the side that d points to");
         CHECK(visited(no) && no.t0 <= 0 && no.t1 >= 0,
               "t = 0 is in the plane, which belongs to both sides");
+        if (is_epsilon((double)no.t1, 1)) hint_instead(an_epsilon);
         CHECK(!visited(no) || no.t1 <= 0, "and at no t > 0 on the other");
     }
 }
 
 static const char *const no_part =
-    "There the ray has no part of the cell: wrong order, or widened by more than roundings?";
+    "There the ray has no part of the cell. For d > 0 it is below until t and above from t on, "
+    "for d < 0 the other way round; t times KD_LATER or KD_EARLIER, and no more besides.";
 static const char *const cut_short =
-    "Right order? Then widen: what lies before the plane ends a little later, what lies behind "
-    "begins a little earlier (KD_LATER, KD_EARLIER).";
+    "By a rounding: what lies before the plane ends a little later, what lies behind begins a "
+    "little earlier (KD_LATER, KD_EARLIER).";
+static const char *const misplaced =
+    "More than rounding. For d > 0 the ray is below until t and above from t on, for d < 0 the "
+    "other way round; and never outside in.t0 to in.t1.";
+
+// A part ends or begins at `got`, and should at `want`: what does the difference look like?
+static const char *about_span(real got, exact want) {
+    const double off = (double)((exact)got - want), size = fabs((double)want);
+    if (!(fabs(off) > t_slack * size)) return cut_short;
+    return is_epsilon(off, size) ? an_epsilon : misplaced;
+}
+
+static bool same_first(real split, real O, real d, span in) {
+    return kd_children(split, O, 1 / d, in).first == (d > 0 ? 0 : 1);
+}
 
 // The reference: where is O + t d <= split, where >=, without rounding.
 static void check_spans(real split, real O, real d, span in) {
@@ -136,28 +180,32 @@ static void check_spans(real split, real O, real d, span in) {
     given_answer(split, O, d, in, s);
     if (t >= t0) {
         const exact end = t < t1 ? t : t1;
-        hint_instead(cut_short);
+        hint_instead(early.t0 > in.t0 ? misplaced : about_span(early.t1, end));
         CHECK(early.t0 <= in.t0 && early.t1 >= end,
               "the part before the plane is not cut short");
     } else {
-        hint_instead(no_part);
+        hint_instead(is_epsilon((double)(early.t1 - t), (double)t) ? an_epsilon : no_part);
         CHECK(!visited(early) || t >= t0 * (1 - slack), "the part before the plane is empty");
     }
     if (t <= t1) {
         const exact begin = t > t0 ? t : t0;
-        hint_instead(cut_short);
+        hint_instead(late.t1 < in.t1 ? misplaced : about_span(late.t0, begin));
         CHECK(late.t0 <= begin && late.t1 >= in.t1,
               "the part behind the plane is not cut short");
     } else {
-        hint_instead(no_part);
+        hint_instead(is_epsilon((double)(late.t0 - t), (double)t) ? an_epsilon : no_part);
         CHECK(!visited(late) || t <= t1 * (1 + slack), "the part behind the plane is empty");
     }
+    hint_instead(about_span(early.t1, t));
     if (visited(early) && t < t1)
         CHECK(early.t1 <= t * (1 + slack), "the part before the plane ends at it");
+    hint_instead(about_span(late.t0, t));
     if (visited(late) && t > t0)
         CHECK(late.t0 >= t * (1 - slack), "the part behind the plane begins at it");
+    hint_instead("The sign of d says which child comes first.");
     if (t > t0 * (1 + slack) && t < t1 * (1 - slack))
-        CHECK_INT(kd_children(split, O, 1 / d, in).first, d > 0 ? 0 : 1);
+        CHECK(same_first(split, O, d, in), d > 0 ? "first = 0: the child below comes first"
+                                                 : "first = 1: the child above comes first");
 }
 
 static void children_generic(void) {
@@ -245,24 +293,47 @@ static void cost_by_hand(void) {
     const kd_options how = {.step = 0.75f, .bonus = 0.25f};
     given_cost(cell, 0, 2, 3, 5, how); // sides 1, 6, 3: 54; sides 3, 6, 3: 90
     suspect_value("no step", 612.0 / 108);
+    suspect_value("C_STEP, the BVH's: here a plane costs how.step", C_STEP + 612.0 / 108);
+    suspect_value("C_STEP besides how.step", C_STEP + 0.75 + 612.0 / 108);
     suspect_value("not divided by the area of the cell", 0.75 + 612);
+    suspect_value("the step divided by the area of the cell, too", (0.75 + 612) / 108);
     suspect_value("the bonus, though no child is empty", 0.75 + 0.75 * 612.0 / 108);
-    suspect_value("below and above exchanged", 0.75 + 552.0 / 108);
+    suspect_value("below and above exchanged", 0.75 + 540.0 / 108);
+    suspect_value("areas without their factor 2 over A with it", 0.75 + 306.0 / 108);
+    suspect_value("split and cell.max as sides: a side is a difference",
+                  0.75 + (3 * 72 + 5 * 126) / 108.0);
+    suspect_value("split as a side: it is measured from cell.min",
+                  0.75 + (3 * 72 + 5 * 90) / 108.0);
     suspect_value("volumes, not areas", 0.75 + (3 * 18 + 5 * 54) / 72.0);
+    suspect_value("the counts alone, no areas", 0.75 + 8);
     CHECK_REAL(kd_cost(cell, 0, 2, 3, 5, how), 0.75 + 612.0 / 108,
                roundings(16, "a handful of operations"));
-    given_cost(cell, 1, 4, 0, 7, how); // sides 4, 2, 3; sides 4, 4, 3: area 80
-    suspect_value("without the bonus", 0.75 + 560.0 / 108);
-    suspect_value("the bonus was added or subtracted, not multiplied",
-                  0.75 + 560.0 / 108 - 0.25);
-    suspect_value("the bonus was added or subtracted, not multiplied",
-                  0.75 + 560.0 / 108 + 0.25);
-    suspect_value("multiplied by the bonus: 1 - bonus is what is left",
-                  0.75 + 0.25 * 560 / 108);
-    suspect_value("the bonus on the step too", 0.75 * (0.75 + 560.0 / 108));
-    suspect_value("the cost grew: 1 + bonus", 0.75 + 1.25 * 560 / 108);
-    CHECK_REAL(kd_cost(cell, 1, 4, 0, 7, how), 0.75 + 0.75 * 560 / 108,
+}
+
+// One child is empty, 7 are in a child of area 80; the other's is 52.
+static void cost_of_empty(int axis, real split, int below, int above) {
+    const aabb cell = {{1, 2, 3}, {5, 8, 6}};
+    const kd_options how = {.step = 0.75f, .bonus = 0.25f};
+    const double hits = 7 * 80.0 / 108;
+    given_cost(cell, axis, split, below, above, how);
+    suspect_value("without the bonus: one child is empty", 0.75 + hits);
+    suspect_value("the bonus was added or subtracted, not multiplied", 0.75 + hits - 0.25);
+    suspect_value("the bonus was added or subtracted, not multiplied", 0.75 + hits + 0.25);
+    suspect_value("multiplied by the bonus: 1 - bonus is what is left", 0.75 + 0.25 * hits);
+    suspect_value("the bonus on the step too", 0.75 * (0.75 + hits));
+    suspect_value("the cost grew: 1 + bonus", 0.75 + 1.25 * hits);
+    suspect_value("divided by 1 + bonus", 0.75 + hits / 1.25);
+    suspect_value("nothing but the step: the child that is not empty costs, too", 0.75);
+    suspect_value("no step", 0.75 * hits);
+    suspect_value("C_STEP, the BVH's: here a plane costs how.step", C_STEP + 0.75 * hits);
+    suspect_value("below and above exchanged", 0.75 + 0.75 * 7 * 52 / 108);
+    CHECK_REAL(kd_cost(cell, axis, split, below, above, how), 0.75 + 0.75 * hits,
                roundings(16, "a handful of operations"));
+}
+
+static void cost_empty(void) {
+    cost_of_empty(1, 4, 0, 7); // sides 4, 2, 3 and 4, 4, 3
+    cost_of_empty(1, 6, 7, 0);
 }
 
 static double area_of(const double e[3]) {
@@ -290,7 +361,9 @@ static void cost_generic(void) {
             (below * area_of(part[1]) + above * area_of(part[2])) / area_of(part[0]);
         const bool empty = below == 0 || above == 0;
         given_cost(cell, axis, split, below, above, how);
-        suspect_value("without the bonus", (double)how.step + hits);
+        suspect_value("without the bonus: one child is empty", (double)how.step + hits);
+        suspect_value("C_STEP, the BVH's: here a plane costs how.step",
+                      C_STEP + (empty ? 1 - (double)how.bonus : 1) * hits);
         suspect_value("the bonus, though no child is empty",
                       (double)how.step + (1 - (double)how.bonus) * hits);
         CHECK_REAL(kd_cost(cell, axis, split, below, above, how),
@@ -415,21 +488,33 @@ static void check_clip_exactly(triangle T, aabb cell) {
     exact_point part[16], more[16];
     const int n = exact_clip(T, cell, 0, part), m = exact_clip(T, cell, slack, more);
     given_clip(T, cell);
+    hint_instead(
+        "The cell is closed. Is it larger by the margin before T is cut, and all in double?");
     CHECK(n == 0 || !box_is_empty(box), "a part of T is in the cell: the bounds are not empty");
+    hint_instead("When no corner of the polygon is left: aabb_empty. Is the margin a few "
+                 "roundings of double, not of real?");
     CHECK(m > 0 || box_is_empty(box), "no part of T is near the cell: the bounds are empty");
     if (box_is_empty(box)) return;
     for (int k = 0; k < 3; k++) {
         exact low, high;
         const exact min = along(box.min, k), max = along(box.max, k);
+        hint_instead("Rounding outwards comes before the last step, the cell's own sides.");
         CHECK(along(box.min, k) >= along(cell.min, k) &&
                   along(box.max, k) <= along(cell.max, k),
               "the bounds stay in the cell");
         if (n > 0) {
             exact_bounds(part, n, k, &low, &high);
+            hint_instead(min - low > slack || high - max > slack
+                             ? "By more than rounding: is every corner kept that lies in the "
+                               "cell, and every crossing?"
+                             : "A crossing is rounded. Which way must the bounds go so that "
+                               "nothing is lost? Is all of it in double?");
             CHECK(min <= low + least && max >= high - least,
                   "nothing of the part in the cell lies outside the bounds");
         }
         exact_bounds(more, m, k, &low, &high);
+        hint_instead("Is T cut at all six planes? Is the margin a few roundings of double, not "
+                     "of real?");
         CHECK(min >= low - slack && max <= high + slack,
               "the bounds are larger than the part of T in the cell by roundings at most");
     }

@@ -41,23 +41,32 @@ static kd_tree hand_tree(const mesh *m) {
 
 static const mesh hand_mesh = {.points = hand_points, .corners = hand_corners, .count = 4};
 
+static void given_hand(ray r, real t_min, real t_max, const char *spent, const char *what) {
+    given("triangles 0, 1, 2 at x = 1, 3, 5; 3 leans through all; planes at x = 2 and 4\n"
+          "ray O = " VEC ", d = " VEC "; t_min = %.9g, t_max = %.9g; spent %s\n%s",
+          ARG(r.O), ARG(r.d), (double)t_min, (double)t_max, spent, what);
+}
+
 static void check_hand(ray r, real t_min, real t_max, real t, int index, const char *what) {
     const kd_tree k = hand_tree(&hand_mesh);
     int got = -7;
+    given_hand(r, t_min, t_max, "= NULL", what);
     const triangle_point q = kd_nearest(&k, r, t_min, t_max, &got, NULL);
-    given("triangles 0, 1, 2 at x = 1, 3, 5; 3 leans through all; planes at x = 2 and 4\n"
-          "ray O = " VEC ", d = " VEC "; t_min = %.9g, t_max = %.9g\n%s",
-          ARG(r.O), ARG(r.d), (double)t_min, (double)t_max, what);
     suspect_value("a miss: a hit is lost", (double)NO_HIT);
     if (q.t > t)
         suspect_value(
             "a hit that lies outside the cell in whose leaf it was found: a nearer one "
             "waits in the next cell",
             (double)q.t);
+    const bool near = t != NO_HIT && fabs(q.t - t) <= 4 * REAL_EPSILON * t;
+    hint_instead(tree_hint(&hand_mesh, r, q.t, near ? q.t : t, got, -7));
     check_real(__FILE__, __LINE__, NEAREST_T, (double)q.t, (double)t,
                roundings(4, "the triangle's test rounds t once"));
     suspect_value("untouched, after a hit", -7);
-    if (got > index) suspect_value("of equally near triangles the smallest index counts", got);
+    if (index >= 0 && got > index) {
+        const bool tie = triangle_hit(mesh_triangle(&hand_mesh, got & 3), r, 0, NO_HIT).t == t;
+        if (tie) suspect_value("of equally near triangles the smallest index counts", got);
+    }
     check_int(__FILE__, __LINE__, "index", got, index);
 }
 
@@ -86,6 +95,52 @@ static void nearest_interval(void) {
     check_hand(r, 0, 2.375f, NO_HIT, -7, "t < t_max: nothing before; index stays untouched");
     check_hand(r, 0, 2.5f, 2.375f, 3, "one before t_max");
     check_hand((ray){{0, 40, 0}, {1, 0, 0}}, 0, NO_HIT, NO_HIT, -7, "beside the root's box");
+}
+
+// What a walk by hand spends, and a tree without nodes.
+static void check_effort(ray r, long steps, long tests, const char *what) {
+    const kd_tree k = hand_tree(&hand_mesh);
+    int index = -7;
+    effort spent = {100, 1000};
+    given_hand(r, 0, NO_HIT, "= {100, 1000} before", what);
+    kd_nearest(&k, r, 0, NO_HIT, &index, &spent);
+    hint_instead("*spent is added to: a step for the root's box, one for each plane asked; "
+                 "kd_leaf_nearest adds the tests when it is handed spent.");
+    CHECK(spent.steps > 100 && spent.tests >= 1000, "steps and tests are added to *spent");
+    CHECK(tests == 0 || spent.tests > 1000, "the tests are counted");
+    if (spent.tests - 1000 < tests)
+        hint_instead("Fewer than needed: a child that the ray is in was not asked.");
+    else if (steps == 1)
+        hint_instead("kd_enter says whether the ray is in the root's box at all.");
+    else if (spent.tests - 1000 > tests)
+        hint_instead(
+            "Asked without need. Does the near child come first, and the far one wait "
+            "(o.first, o.near, o.far)? Is what waits and begins behind found.limit left "
+            "out?");
+    suspect_value("the root's box is not counted", (double)(100 + steps - 1));
+    check_int(__FILE__, __LINE__, "spent.tests", spent.tests, 1000 + tests);
+    check_int(__FILE__, __LINE__, "spent.steps", spent.steps, 100 + steps);
+}
+
+static void nearest_effort(void) {
+    check_effort((ray){{0, 6, 0}, {1, 0, 0}}, 2, 2,
+                 "0 is hit at x = 1: the cell behind x = 2 need not be asked");
+    check_effort((ray){{0, -1, 0}, {1, 0, 0}}, 3, 4,
+                 "1 is hit at x = 3: the cell behind x = 4 need not be asked");
+    check_effort((ray){{7, -2, 0}, {-1, 0, 0}}, 3, 2,
+                 "from the other end; 2 is hit at x = 5: nothing before x = 4 is asked");
+    check_effort((ray){{0, 40, 0}, {1, 0, 0}}, 1, 0, "beside the root's box");
+}
+
+static void nearest_nothing(void) {
+    static const mesh none = {.count = 0};
+    const kd_tree k = kd_build(&none, kd_defaults);
+    int index = -7;
+    given("a mesh without triangles: node_count = 0, nodes = NULL, and kd_enter says false");
+    const triangle_point q =
+        kd_nearest(&k, (ray){{0, 0, 0}, {1, 2, 3}}, 0, NO_HIT, &index, NULL);
+    CHECK_REAL(q.t, NO_HIT, exactly());
+    CHECK_INT(index, -7);
 }
 
 // y = 0: triangles 1 and 3 both at x = 3 exactly. And in the plane x = 2 itself.
@@ -121,10 +176,16 @@ static void nearest_ends(void) {
         effort spent = {0, 0};
         int index = -1;
         const ray r = {{(real)i - (real)0.25, (real)0.1, (real)0.2}, {1, 0, 0}};
-        kd_nearest(&k, r, 0, NO_HIT, &index, &spent);
-        given("%d walls across x, one behind the other; the ray begins before wall %d", WALLS,
-              i);
+        given("%d walls across x, one behind the other; the ray begins before wall %d\n"
+              "ray O = " VEC ", d = " VEC,
+              WALLS, i, ARG(r.O), ARG(r.d));
+        const real t = kd_nearest(&k, r, 0, NO_HIT, &index, &spent).t;
+        int first = -1;
+        const real want = mesh_hit(&m, r, 0, NO_HIT, &first).t;
+        hint_instead(tree_hint(&m, r, t, want, index, -1));
         CHECK_INT(index, i);
+        hint_instead("Does the near child come first, and the far one wait (o.first, o.near, "
+                     "o.far)? Is what waits and begins behind found.limit left out?");
         suspect_value("no test counted: spent is not NULL here", 0);
         check_at_most(__FILE__, __LINE__, "spent.tests", (double)spent.tests, 12,
                       "the walk ends with the first wall: the cells behind are not asked");

@@ -20,16 +20,18 @@ int main(void) {
         {"kd_children: from the plane", children_on_plane,
          "t = 0 at the plane: the sign of d says where the ray goes."},
         {"kd_children: generic rays, thin cells", children_generic,
-         "Widen: what lies before the plane ends a little later, what lies behind begins a "
-         "little earlier (KD_LATER, KD_EARLIER)."},
+         "Below the plane until t, above from t on, or the other way round."},
         {"kd_sides: by hand", sides_by_hand,
          "Take the cases one by one: low and high below, at and above the plane. Is one in no "
          "child?"},
         {"kd_sides: generic boxes", sides_generic, "Both comparisons are with the plane."},
         {"kd_cost: by hand", cost_by_hand,
-         "Two children's areas over the cell's; the bonus multiplies the hits' part."},
+         "Term by term: how.step; each count times its child's area over the cell's."},
+        {"kd_cost: one child is empty", cost_empty,
+         "As before, and the hits' part times 1 - how.bonus, whichever child is empty."},
         {"kd_cost: generic cells", cost_generic,
-         "The plane shortens one side only: the axes must follow."},
+         "By hand it is right: what differs here? Another axis, larger counts, sizes, "
+         "options?"},
         {"kd_clip: by hand", clip_by_hand,
          "Cut the polygon at each of the six planes; where an edge crosses one a corner is "
          "new."},
@@ -42,6 +44,10 @@ int main(void) {
         {"kd_nearest: by hand", nearest_by_hand, WALK},
         {"kd_nearest: t_min and t_max", nearest_interval,
          "t_min < t < t_max; index only with a hit."},
+        {"kd_nearest: a tree without triangles", nearest_nothing,
+         "A miss, before any node is asked."},
+        {"kd_nearest: steps and tests", nearest_effort,
+         "One step for the root's box and for each plane asked, one test for each triangle."},
         {"kd_nearest: ties", nearest_ties,
          "A cell that begins just where the hit lies may hold the same t and a smaller index."},
         {"kd_nearest: ends at the first hit", nearest_ends,
@@ -50,7 +56,9 @@ int main(void) {
         {"kd_nearest: shapes, as brute force", nearest_shapes, WALK},
         {"kd_nearest: 150,000 rays, as brute force", nearest_many, WALK},
         {"kd_nearest: no leak", nearest_leaks,
-         "A far cell that the ray is in for less than a rounding must be visited too."},
+         "As above; and a far cell that the ray is in for less than a rounding must be "
+         "visited, "
+         "too."},
         {"kd_build: promises", build_promises, "See kd_flaw."},
         {"kd_build: options", build_options, "A tree of any options finds the same."},
         {"kd_build: twice the same", build_twice, "No order of memory or time may enter."},

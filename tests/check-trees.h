@@ -226,6 +226,14 @@ typedef struct {
     const void *tree;
 } tree_case;
 
+// What was asked, also when it crashes.
+static inline void given_ray(const tree_case *c, ray r, real t_min, real t_max) {
+    given("%s: %d triangles%s\nray O = " VEC ", d = " VEC "\nt_min = %.9g, t_max = %.9g; "
+          "spent = NULL",
+          c->scene, c->m->count, c->m->count ? "" : ": no node, and no array of nodes",
+          ARG(r.O), ARG(r.d), (double)t_min, (double)t_max);
+}
+
 static inline void given_search(const tree_case *c, ray r, real t_min, real t_max) {
     int index = -1;
     const triangle_point q = mesh_hit(c->m, r, t_min, t_max, &index);
@@ -235,15 +243,52 @@ static inline void given_search(const tree_case *c, ray r, real t_min, real t_ma
           (double)q.u, (double)q.v, index);
 }
 
+static inline const char *tree_index_hint(const mesh *m, ray r, real t, int got,
+                                          int untouched) {
+    if (got == untouched) return "t is right: *index must be written with every hit.";
+    if (got < 0 || got >= m->count)
+        return "That is no triangle of the mesh. Where does the walk keep the nearest one's "
+               "number?";
+    if (triangle_hit(mesh_triangle(m, got), r, 0, NO_HIT).t != t)
+        return "t is right, but not that triangle's: t and index must be of the same hit, and "
+               "index the number in the mesh.";
+    return "Both are hit at this t, and what waits may hold the other: all of it that does not "
+           "begin beyond found.limit is asked, whatever the top of the stack says.";
+}
+
+// A hint by the kind of failure: `got` was left in *index, which was `untouched` before.
+static inline const char *tree_hint(const mesh *m, ray r, real t, real want, int got,
+                                    int untouched) {
+    if (want == NO_HIT && t == NO_HIT)
+        return "t is right, a miss: *index must stay as it was. Write it only with a hit.";
+    if (want == NO_HIT || t < want)
+        return "There is no such hit with t_min < t < t_max: are both limits handed on to the "
+               "leaves?";
+    if (t == NO_HIT)
+        return "A hit is lost. Where the ray is in both children one goes on and the other "
+               "waits: does it, and is all that waits taken up again? Is the first span that "
+               "of "
+               "the whole tree? Is a hit thrown away because it lies behind its leaf's cell?";
+    if (t > want)
+        return "A leaf's triangle may be hit behind the cell's end. What may still lie before "
+               "that hit? All that waits and begins before it must still be asked.";
+    return tree_index_hint(m, r, t, got, untouched);
+}
+
 static inline void tree_disagrees(const tree_case *c, ray r, real t_min, real t_max,
                                   triangle_point q, int got, triangle_point want, int index) {
     given_search(c, r, t_min, t_max);
+    hint_instead(tree_hint(c->m, r, q.t, want.t, got, -1));
     suspect_value("a miss: a hit is lost", (double)NO_HIT);
     if (q.t > want.t && q.t != NO_HIT)
         suspect_value("a hit further away: a nearer one waited in another cell", (double)q.t);
     check_real(__FILE__, __LINE__, c->nearest, (double)q.t, (double)want.t, exactly());
-    if (got > index) suspect_value("of equally near triangles the smallest index counts", got);
+    suspect_value("-1, untouched", -1);
+    if (index >= 0 && got > index && got < c->m->count &&
+        triangle_hit(mesh_triangle(c->m, got), r, t_min, t_max).t == want.t)
+        suspect_value("of equally near triangles the smallest index counts", got);
     check_int(__FILE__, __LINE__, "index, the triangle", got, index);
+    hint_instead("t and index are right: u and v must be those of the same hit.");
     CHECK(!memcmp(&q, &want, sizeof q), "t, u and v are the same, bit for bit");
 }
 
@@ -251,6 +296,7 @@ static inline void tree_disagrees(const tree_case *c, ray r, real t_min, real t_
 static inline real tree_agrees(const tree_case *c, ray r, real t_min, real t_max) {
     int index = -1, got = -1;
     const triangle_point want = mesh_hit(c->m, r, t_min, t_max, &index);
+    given_ray(c, r, t_min, t_max);
     const triangle_point q = c->by->nearest(c->tree, r, t_min, t_max, &got, NULL);
     if (memcmp(&q, &want, sizeof q) || got != index)
         tree_disagrees(c, r, t_min, t_max, q, got, want, index);

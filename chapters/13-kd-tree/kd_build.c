@@ -91,6 +91,16 @@ static void share_budget(const heap *h, heap *below, heap *above) {
     above->budget = rest - below->budget;
 }
 
+// Two children that both hold everything are worse than one leaf. kd_cost knows that, so this
+// happens only while one of the exercises is not written or wrong.
+static bool is_gain(const heap *h, const heap *below, const heap *above) {
+    return below->count < h->count || above->count < h->count;
+}
+
+static bool fits_budget(const heap *h) {
+    return h->budget >= h->count;
+}
+
 // Divides the heap, which is freed; false: it stays, a leaf.
 static bool divide(const builder *b, const heap *h, kd_plane *p, heap *below, heap *above) {
     if (h->depth >= b->depth_limit) return false;
@@ -101,7 +111,7 @@ static bool divide(const builder *b, const heap *h, kd_plane *p, heap *below, he
     *below = child_of(b->tree, h, *p, cell_below, KD_BELOW);
     *above = child_of(b->tree, h, *p, cell_above, KD_ABOVE);
     share_budget(h, below, above);
-    if (below->budget >= below->count && above->budget >= above->count) return true;
+    if (is_gain(h, below, above) && fits_budget(below) && fits_budget(above)) return true;
     free(below->items);
     free(above->items);
     return false;
@@ -147,7 +157,10 @@ kd_tree kd_build(const mesh *m, kd_options how) {
     }
     progress shown;
     const bool large = all.count > 300000;
-    if (large) shown = progress_start("building the tree", (long)all.budget, NULL);
+    if (large) {
+        shown = progress_start("building the tree", (long)all.budget, NULL);
+        shown.unit = "shares of the budget";
+    }
     builder b = {&tree, 64, 64, kd_depth_limit(all.count), large ? &shown : NULL};
     tree.nodes = grown(NULL, b.node_room, sizeof *tree.nodes);
     tree.lists = grown(NULL, b.list_room, sizeof *tree.lists);

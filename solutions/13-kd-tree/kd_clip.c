@@ -49,7 +49,7 @@ static void hold(real *min, real *max, double low, double high) {
 }
 
 // The crossings are rounded: each by less than `margin`. With the cell and the result larger by
-// that much nothing is lost.
+// that much nothing is lost. Planes beyond T cut nothing off.
 aabb kd_clip(triangle T, aabb cell) {
     const aabb whole = aabb_of(T);
     const vec3 far = add(absolute(whole.min), absolute(whole.max));
@@ -57,14 +57,16 @@ aabb kd_clip(triangle T, aabb cell) {
     polygon part = {{point_of(T.p1), point_of(T.p2), point_of(T.p3)}, 3};
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (int axis = 0; axis < 3; axis++) {
-        part = cut(&part, axis, (double)along(cell.min, axis) - margin, -1);
-        part = cut(&part, axis, (double)along(cell.max, axis) + margin, 1);
+        const real from = along(cell.min, axis), to = along(cell.max, axis);
+        if (along(whole.min, axis) < from) part = cut(&part, axis, (double)from - margin, -1);
+        if (along(whole.max, axis) > to) part = cut(&part, axis, (double)to + margin, 1);
     }
     if (part.count == 0) return aabb_empty;
     for (int i = 0; i < part.count; i++)
         for (int axis = 0; axis < 3; axis++) {
-            low[axis] = fmin(low[axis], part.p[i].x[axis] - margin);
-            high[axis] = fmax(high[axis], part.p[i].x[axis] + margin);
+            const double x = part.p[i].x[axis];
+            low[axis] = x - margin < low[axis] ? x - margin : low[axis];
+            high[axis] = x + margin > high[axis] ? x + margin : high[axis];
         }
     aabb box = {{greater(cell.min.x, whole.min.x), greater(cell.min.y, whole.min.y),
                  greater(cell.min.z, whole.min.z)},
