@@ -82,23 +82,12 @@ static image show_light(const options *opt, const model *x) {
 
 // ---- steps ---------------------------------------------------------------------------
 
-// Black for at most 8 steps; from colour to colour twice as many.
-static color heat(long steps) {
-    static const color scale_of[] = {{0, 0, 0},        {0.1f, 0, 0.2f},  {0, 0.1f, 0.7f},
-                                     {0, 0.45f, 0.2f}, {0.85f, 0.7f, 0}, {0.8f, 0.05f, 0},
-                                     {1, 1, 1}};
-    const real at = fmax(0, log2((real)steps) - 3);
-    const int i = (int)at;
-    if (i >= COUNT(scale_of) - 1) return scale_of[COUNT(scale_of) - 1];
-    return lerp(scale_of[i], scale_of[i + 1], at - (real)i);
-}
-
 static color look_steps(const void *data, ray r, rng *g) {
     (void)g;
     int index = 0;
     effort spent = {0};
     bvh_nearest(data, r, 0, NO_HIT, &index, &spent);
-    return heat(spent.steps);
+    return heat(spent.steps, 8);
 }
 
 static image steps_of(const options *opt, const model *x, const bvh *tree, int width) {

@@ -129,3 +129,13 @@ void stage_set(stage *s, const mesh *m, const bvh *tree, setting how) {
 void stage_free(stage *s) {
     lamps_free(&s->room.lamps);
 }
+
+color heat(long steps, long black) {
+    static const color colors[] = {{0, 0, 0},        {0.1f, 0, 0.2f},  {0, 0.1f, 0.7f},
+                                   {0, 0.45f, 0.2f}, {0.85f, 0.7f, 0}, {0.8f, 0.05f, 0},
+                                   {1, 1, 1}};
+    const real at = fmax(0, log2((real)steps / (real)black));
+    const int i = (int)at;
+    if (i >= COUNT(colors) - 1) return colors[COUNT(colors) - 1];
+    return lerp(colors[i], colors[i + 1], at - (real)i);
+}

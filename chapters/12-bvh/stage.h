@@ -45,4 +45,8 @@ typedef struct {
 void stage_set(stage *s, const mesh *m, const bvh *tree, setting how);
 void stage_free(stage *s);
 
+// What a ray has cost, as a colour: black for at most `black` steps, then purple, blue, green, yellow,
+// red and white, from one to the next twice as many.
+color heat(long steps, long black);
+
 #endif

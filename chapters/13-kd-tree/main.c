@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "chapters/12-bvh/shapes.h"
+#include "chapters/12-bvh/stage.h"
 #include "chapters/13-kd-tree/kd_tree.h"
 #include "common/measure.h"
 #include "common/todo.h"
@@ -53,17 +54,6 @@ static camera camera_of(const model *x, int width, int height) {
 
 // ---- steps -----------------------------------------------------------------------------
 
-// Black for at most 4; from colour to colour twice as many.
-static color heat(long steps) {
-    static const color colors[] = {{0, 0, 0},       {0.1f, 0, 0.3f}, {0, 0.2f, 0.7f},
-                                   {0, 0.5f, 0.2f}, {0.8f, 0.7f, 0}, {0.8f, 0.1f, 0},
-                                   {1, 1, 1}};
-    const real at = fmax(0, log2((real)steps) - 2);
-    const int i = (int)at;
-    if (i >= COUNT(colors) - 1) return colors[COUNT(colors) - 1];
-    return lerp(colors[i], colors[i + 1], at - (real)i);
-}
-
 // A lamp in the eye.
 static color look(const void *data, ray r, rng *g) {
     (void)g;
@@ -83,7 +73,7 @@ static color look_bvh(const void *data, ray r, rng *g) {
     int index = 0;
     effort spent = {0, 0};
     bvh_nearest(&x->b, r, 0, NO_HIT, &index, &spent);
-    return heat(spent.steps / 2);
+    return heat(spent.steps / 2, 4);
 }
 
 static color look_kd(const void *data, ray r, rng *g) {
@@ -92,7 +82,7 @@ static color look_kd(const void *data, ray r, rng *g) {
     int index = 0;
     effort spent = {0, 0};
     kd_nearest(&x->k, r, 0, NO_HIT, &index, &spent);
-    return heat(spent.steps);
+    return heat(spent.steps, 4);
 }
 
 static void print_effort(const model *x, const camera *cam) {
