@@ -285,12 +285,12 @@ static void check_builds(const char *name, const mesh *m) {
 }
 
 static void builds_of_scenes(void) {
-    static const scene12 largest = {"coordinates up to the largest number", 200, of_largest,
-                                    true};
+    static const tree_scene largest = {"coordinates up to the largest number", 200,
+                                       tree_largest, true};
     rng g = check_rng(1255);
-    for (int i = 0; i <= COUNT(scenes12); i++) {
-        const scene12 *s = i < COUNT(scenes12) ? &scenes12[i] : &largest;
-        mesh m = soup(s->count, s->make, &g);
+    for (int i = 0; i <= COUNT(tree_scenes); i++) {
+        const tree_scene *s = i < COUNT(tree_scenes) ? &tree_scenes[i] : &largest;
+        mesh m = tree_soup(s->count, s->make, &g);
         check_builds(s->name, &m);
         mesh_free(&m);
     }
@@ -332,7 +332,7 @@ static void build_figures(void) {
 
 static void figures_by_hand(void) {
     rng g = check_rng(1256);
-    mesh m = soup(4, of_stack, &g);
+    mesh m = tree_soup(4, of_stack, &g);
     bvh b = tree_of(&m, SPLIT_MEDIAN, 1), leaf = tree_of(&m, SPLIT_MEDIAN, 4);
     given("four triangles across z, the median, leaves of 1");
     const bvh_figures f = bvh_measure(&b), whole = bvh_measure(&leaf);
@@ -542,7 +542,7 @@ static bvh long_tree(const mesh *m) {
 static void flaw_depth(void) {
     rng g = check_rng(1257);
     for (int count = BVH_DEPTH; count <= BVH_DEPTH + 2; count++) {
-        mesh m = soup(count, of_cloud, &g);
+        mesh m = tree_soup(count, tree_cloud, &g);
         bvh b = long_tree(&m);
         given("a list of %d triangles, the last at depth %d", count, count - 1);
         CHECK_BOOL(bvh_flaw(&b) == NULL, count - 1 <= BVH_DEPTH);
@@ -553,7 +553,7 @@ static void flaw_depth(void) {
 
 static void flaw_not_finite(void) {
     rng g = check_rng(1258);
-    mesh m = soup(50, of_cloud, &g);
+    mesh m = tree_soup(50, tree_cloud, &g);
     bvh b = tree_of(&m, SPLIT_SAH, 4);
     vec3 *points = (vec3 *)m.points;
     points[60].y = NAN;
@@ -592,12 +592,12 @@ static void check_refit(const char *name, mesh *m, bool each, rng *g) {
 }
 
 static void refit_scenes(void) {
-    static made_triangle *const makes[] = {of_cloud, of_plane, of_one_centre, of_x_line,
-                                           of_bricks};
+    static tree_triangle *const makes[] = {tree_cloud, tree_flat, tree_one_centre, tree_x_line,
+                                           tree_bricks};
     rng g = check_rng(1259);
     for (int i = 0; i < COUNT(makes); i++) {
         for (int count = 1; count <= 256; count *= 2) {
-            mesh m = soup(count, makes[i], &g);
+            mesh m = tree_soup(count, makes[i], &g);
             check_refit("moved triangles", &m, i % 2 == 0, &g);
             mesh_free(&m);
         }
@@ -606,7 +606,7 @@ static void refit_scenes(void) {
 
 static void refit_nothing(void) {
     rng g = check_rng(1260);
-    mesh m = soup(100, of_cloud, &g), none = {0};
+    mesh m = tree_soup(100, tree_cloud, &g), none = {0};
     bvh b = tree_of(&m, SPLIT_SAH, 4), again = tree_of(&m, SPLIT_SAH, 4),
         empty = tree_of(&none, SPLIT_SAH, 4);
     bvh_refit(&b);

@@ -128,17 +128,17 @@ static void check_from_origin(question ask, const char *name, const mesh *m, con
 }
 
 static void agree_on_scenes(question ask, rng *g) {
-    for (int i = 0; i < COUNT(scenes12); i++) {
-        mesh m = soup(scenes12[i].count, scenes12[i].make, g);
+    for (int i = 0; i < COUNT(tree_scenes); i++) {
+        mesh m = tree_soup(tree_scenes[i].count, tree_scenes[i].make, g);
         forest f = forest_of(&m);
-        if (scenes12[i].from_origin) {
-            check_from_origin(ask, scenes12[i].name, &m, &f, g);
+        if (tree_scenes[i].from_origin) {
+            check_from_origin(ask, tree_scenes[i].name, &m, &f, g);
             forest_free(&f);
             mesh_free(&m);
             continue;
         }
         for (int aim = 0; aim < AIMS; aim++)
-            check_aim(ask, scenes12[i].name, &m, &f, (aim12)aim, 400, g);
+            check_aim(ask, tree_scenes[i].name, &m, &f, (aim12)aim, 400, g);
         forest_free(&f);
         mesh_free(&m);
     }
@@ -158,7 +158,7 @@ static void agree_on_shapes(question ask, rng *g) {
 // Few triangles, many rays.
 static void agree_on_many(question ask, rng *g) {
     for (int i = 0; i < 200; i++) {
-        mesh m = soup((int)whole_between(g, 2, 12), of_cloud, g);
+        mesh m = tree_soup((int)whole_between(g, 2, 12), tree_cloud, g);
         forest f = forest_of(&m);
         check_aim(ask, "a few triangles", &m, &f, AT_ANYTHING, 1500, g);
         forest_free(&f);
@@ -178,7 +178,7 @@ static triangle of_stack(int i, rng *g) {
 
 static void walk_by_hand(question ask) {
     rng g = check_rng(1230);
-    mesh m = soup(4, of_stack, &g);
+    mesh m = tree_soup(4, of_stack, &g);
     forest f = forest_of(&m);
     const ray r = {{0.25f, 0.5f, 0}, {0, 0, 1}}, back = {{0.25f, 0.5f, 8}, {0, 0, -2}};
     const search12 rows[] = {
@@ -251,7 +251,7 @@ static void nearest_ties(void) {
 // What is not hit leaves index alone, and t_min = t_max leaves nothing to hit.
 static void nearest_misses(void) {
     rng g = check_rng(1238);
-    mesh m = soup(200, of_cloud, &g);
+    mesh m = tree_soup(200, tree_cloud, &g);
     bvh b = tree_of(&m, SPLIT_SAH, 4);
     for (int i = 0; i < 2000; i++) {
         const vec3 O = add(in_cube(&g), (vec3){5, 0, 0}), s = in_cube(&g);
@@ -301,7 +301,7 @@ typedef struct {
 } chain12;
 
 static void chain_make(chain12 *c, bool right, int aim) {
-    c->m = soup(CHAIN, of_chain, NULL);
+    c->m = tree_soup(CHAIN, of_chain, NULL);
     ((vec3 *)c->m.points)[3 * aim] = (vec3){1, -1, (real)(aim + 1)};
     c->b = (bvh){&c->m, c->nodes, 2, c->triangles, c->order, CHAIN, TEST_WATERTIGHT};
     c->nodes[1] = (bvh_node){aabb_empty, 0, 0};
@@ -347,7 +347,7 @@ static void walk_chains(question ask) {
 // A ray of the deepest tree, from its deep end: both children of every node on the way are met.
 static void walk_deepest(question ask) {
     rng g = check_rng(1239);
-    mesh m = soup(250, of_powers, &g);
+    mesh m = tree_soup(250, tree_powers, &g);
     forest f;
     for (int rule = 0; rule < RULES; rule++) f.b[rule] = tree_of(&m, SPLIT_MIDPOINT, 1);
     given("250 triangles at powers of two, halved at the midpoint");
@@ -564,13 +564,13 @@ static void check_order(const char *name, const mesh *m, bvh_options how, rng *g
 static triangle of_thicket(int i, rng *g) {
     (void)i;
     const vec3 c = in_cube(g);
-    return grain_at(c, (real)0.5, g);
+    return tree_grain(c, (real)0.5, g);
 }
 
 static void nearest_order(void) {
     rng g = check_rng(1243);
     mesh cave = shape_cave(50000), sponge = shape_sponge(20000),
-         thicket = soup(20000, of_thicket, &g);
+         thicket = tree_soup(20000, of_thicket, &g);
     check_order("a cave", &cave, bvh_defaults, &g);
     check_order("a thicket", &thicket, (bvh_options){SPLIT_MEDIAN, 1, 16, TEST_WATERTIGHT}, &g);
     check_order("a sponge", &sponge, (bvh_options){SPLIT_SAH, 1, 16, TEST_WATERTIGHT}, &g);
