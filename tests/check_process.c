@@ -3,7 +3,7 @@
 //
 // Two pipes lead from the test's process to the runner. One is its stdout and
 // stderr, the other carries its verdict.
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700 // POSIX 2008 with SIGXCPU
 
 #include "tests/check_inside.h"
 
@@ -80,12 +80,19 @@ static void drain(process *p, int which) {
     }
 }
 
+// Past its end a test is asked to stop, as by the limit of processor time: it then says what was
+// given. A second later it is not asked any more.
 static void stop_if_over(process *p, double end) {
     ending *e = &p->end;
+    if (e->stopped == TOO_LONG && now() > end + 1) kill(-p->pid, SIGKILL);
     if (e->stopped) return;
-    if (now() > end) e->stopped = TOO_LONG;
-    if (e->got[PRINTED].size >= OUTPUT_LIMIT) e->stopped = FLOODED;
-    if (e->stopped) kill(-p->pid, SIGKILL);
+    if (now() > end) {
+        e->stopped = TOO_LONG;
+        kill(-p->pid, SIGXCPU);
+    } else if (e->got[PRINTED].size >= OUTPUT_LIMIT) {
+        e->stopped = FLOODED;
+        kill(-p->pid, SIGKILL);
+    }
 }
 
 static void drain_both(process *p) {
