@@ -136,8 +136,8 @@ static void try_changes(stage s, const picture *undone, const range *ranges, int
             const change w = {i & 3, (i & 4) != 0, (i & 8) != 0, curve};
             if ((w.swap && s == DEPTH) || (w.clamped && (s == MIRROR || curve))) continue;
             const double share = agreement(&undone[curve], ranges, w, s == NORMAL);
-            const bool better = share > best->agreement + 0.002 ||
-                                1 - share < 0.2 * (1 - best->agreement);
+            const bool better =
+                share > best->agreement + 0.002 || 1 - share < 0.2 * (1 - best->agreement);
             if (better) *best = (guess){share, w, m};
         }
     }
@@ -272,7 +272,8 @@ static const char *why_not_finite(stage s, const picture *got, const range *rang
         }
     if (background && s != MIRROR) return "it is where nothing is hit: 0 is asked for there";
     if (negative && s == NORMAL)
-        return "it is where n is negative: pow() or sqrt() of it. A normal is no colour: no gamma";
+        return "it is where n is negative: pow() or sqrt() of it. A normal is no colour: no "
+               "gamma";
     return NULL;
 }
 

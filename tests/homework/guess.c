@@ -2,7 +2,6 @@
 // light of the reference put together wrongly. Every combination is tried.
 #include "tests/homework/homework.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 double srgb_decoded(double v) {
@@ -102,15 +101,14 @@ static double three_reflections(const double *L[], double k, int c) {
     return upto(L, 3, c);
 }
 
-
 static double four_reflections(const double *L[], double k, int c) {
     (void)k;
     return upto(L, 4, c);
 }
-#define LAYER(name, layer) \
+#define LAYER(name, layer)                                   \
     static double name(const double *L[], double k, int c) { \
-        (void)k; \
-        return L[layer][c]; \
+        (void)k;                                             \
+        return L[layer][c];                                  \
     }
 LAYER(no_shadows, NO_SHADOWS)
 LAYER(no_cosine, NO_COSINE)
@@ -126,7 +124,7 @@ LAYER(last_color_uniform, LAST_COLOR_UNIFORM)
 LAYER(both_sides, BOTH_SIDES)
 
 #define TOO_FEW "too few bounces, or roulette that does not divide by its q"
-#define COSINE_AND_COSINE \
+#define COSINE_AND_COSINE                                                                     \
     "the directions are chosen by the cosine, and weighted by it again: sampler and density " \
     "belong together"
 #define REPLACED "the albedos of a path are not multiplied: each replaces what was before it"
@@ -201,22 +199,26 @@ static void smooth(blocks from, blocks to) {
     }
 }
 
-static double wanted(const trial *t, compose *light, double k, int block, int c) {
+// The light of a block's three colours.
+static void wanted(const trial *t, compose *light, double k, int block, double want[CHANNELS]) {
     const double *L[LAYERS];
     for (int i = 0; i < LAYERS; i++) L[i] = t->right->light[i][block];
-    const double want = light(L, k, c);
-    return t->clamped ? fmin(want, 1) : want;
+    for (int c = 0; c < CHANNELS; c++) {
+        want[c] = light(L, k, c);
+        if (t->clamped) want[c] = fmin(want[c], 1);
+    }
 }
 
 static double misfit(const trial *t, compose *light, double k) {
     double sum = 0;
     for (int b = 0; b < BLOCKS; b++) {
         const int from = flipped(b, t->flip);
+        double want[CHANNELS];
+        wanted(t, light, k, b, want);
         for (int c = 0; c < CHANNELS; c++) {
-            const double want = wanted(t, light, k, b, c);
             const int channel = t->swap ? 2 - c : c;
-            const double off = t->got->mean[from][channel] - want;
-            const double square = (*t->variance)[from][channel] + slack * slack * want * want;
+            const double off = t->got->mean[from][channel] - want[c], size = slack * want[c];
+            const double square = (*t->variance)[from][channel] + size * size;
             sum += fmin(off * off / (square + 1e-8), most);
         }
     }
@@ -225,17 +227,19 @@ static double misfit(const trial *t, compose *light, double k) {
 
 // The lamp has no noise: what is supposed must agree with it. So a right lamp rules out gamma.
 static bool lamp_fits(const trial *t, compose *light, double k) {
-    double got = 0, want = 0, variance = 0;
+    double got = 0, all_wanted = 0, variance = 0;
     for (int b = 0; b < BLOCKS; b++) {
         if (t->right->light[LIGHT_0][b][0] < 10.9) continue; // not the lamp alone
         const int from = flipped(b, t->flip);
+        double want[CHANNELS];
+        wanted(t, light, k, b, want);
         for (int c = 0; c < CHANNELS; c++) {
             got += t->got->mean[from][t->swap ? 2 - c : c];
             variance += t->got->variance[from][t->swap ? 2 - c : c];
-            want += wanted(t, light, k, b, c);
+            all_wanted += want[c];
         }
     }
-    return fabs(got - want) <= 0.05 * want + 5 * sqrt(variance) + 0.01;
+    return fabs(got - all_wanted) <= 0.05 * all_wanted + 5 * sqrt(variance) + 0.01;
 }
 
 // Is there nothing but the lamp?
@@ -286,6 +290,8 @@ static void try_rules(const trial *t, int curve, guess *best) {
     for (int i = 0; i < COUNT(rules); i++) {
         if (rules[i].fitted && (t->flip || t->swap) && curve) continue; // far-fetched
         double least, k = 1;
+        const bool scales_lamp = rules[i].fitted && rules[i].light == all;
+        if (!scales_lamp && !lamp_fits(t, rules[i].light, k)) continue;
         if (rules[i].fitted)
             k = best_factor(t, rules[i].light, &least);
         else
@@ -312,8 +318,8 @@ static void best_guesses(const picture *a, const picture *b, reference *right, g
         measure_blocks(&p, &q, &m[curve]);
         smooth(m[curve].variance, variance[curve]);
         for (int i = 0; i < 16; i++) {
-            const trial t = {right, &m[curve], &variance[curve], i & 3, (i & 4) != 0,
-                             (i & 8) != 0};
+            const trial t = {right, &m[curve],    &variance[curve],
+                             i & 3, (i & 4) != 0, (i & 8) != 0};
             try_rules(&t, curve, best);
         }
     }
@@ -322,15 +328,18 @@ static void best_guesses(const picture *a, const picture *b, reference *right, g
 // ---- words ---------------------------------------------------------------------------
 
 static const char *factor_words(double k) {
+    const double area = 0.64; // of the lamp: 1/0.64 is nearly π/2
     static const struct {
         double value;
         const char *name;
-    } known[] = {{2, "2"},        {0.5, "1/2"},   {PI, "π"},
-                 {1 / PI, "1/π"}, {2 * PI, "2π"}, {1 / (2 * PI), "1/(2π)"},
-                 {4, "4"},        {0.25, "1/4"},  {PI / 2, "π/2"},
-                 {2 / PI, "2/π"}, {4 * PI, "4π"}, {1 / (4 * PI), "1/(4π)"}};
+    } known[] = {
+        {2, "2"},        {0.5, "1/2"},   {PI, "π"},
+        {1 / PI, "1/π"}, {2 * PI, "2π"}, {1 / (2 * PI), "1/(2π)"},
+        {4, "4"},        {0.25, "1/4"},  {PI / 2, "1.57 (π/2, or 1/0.64: the lamp's area)"},
+        {2 / PI, "2/π"}, {4 * PI, "4π"}, {1 / (4 * PI), "1/(4π)"}};
     for (int i = 0; i < COUNT(known); i++)
         if (fabs(k / known[i].value - 1) < 0.03) return known[i].name;
+    if (fabs(k / area - 1) < 0.01) return "0.64, the lamp's area";
     return text_kept("%.2g", k);
 }
 
@@ -356,9 +365,9 @@ static void add_rule(text *t, const char *label, const guess *g) {
 static void apply(const guess *g, explanation *e) {
     for (int b = 0; b < BLOCKS; b++) {
         const int from = flipped(b, g->trial.flip);
+        wanted(&g->trial, rules[g->rule].light, g->k, b, e->light[b]);
         for (int c = 0; c < CHANNELS; c++) {
             const int channel = g->trial.swap ? 2 - c : c;
-            e->light[b][c] = wanted(&g->trial, rules[g->rule].light, g->k, b, c);
             e->got.mean[b][c] = g->trial.got->mean[from][channel];
             e->got.variance[b][c] = g->trial.got->variance[from][channel];
         }
@@ -386,10 +395,8 @@ bool guess_light(const picture *a, const picture *b, reference *right, text *wor
     if (isinf(g->misfit)) return false;
     for (int i = 0; i < COUNT(rules); i++) {
         if (!excludes(i, g->rule)) continue;
-        if ( best[i].misfit < (second ? second->misfit : g->misfit + doubt))
-            second = &best[i];
+        if (best[i].misfit < (second ? second->misfit : g->misfit + doubt)) second = &best[i];
     }
-    if (getenv("GDEBUG")) for (int i=0;i<COUNT(rules);i++) text_row(words,"dbg","%.0f k %.3g curve %d flip %d swap %d clamp %d %.40s",best[i].misfit,best[i].k,best[i].curve,best[i].trial.flip,best[i].trial.swap,best[i].trial.clamped,rules[i].words);
     if (second && !same_change(g, second)) return false;
     apply(g, e);
     if (g->trial.flip & 1) add_words(words, "mirrored left to right");

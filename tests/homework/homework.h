@@ -46,9 +46,11 @@ bad_pixels program_bad_pixels(const picture *p, bool negative);
 // A number for people, in two or three digits and never with an exponent. Lives as text_kept's.
 const char *fixed_number(double x);
 
-// The folder for pictures, and a line for the student that is shown even if all is right.
+// The folder for pictures; adds a line to a file there: report.txt is shown to the student even if
+// all is right, todo.txt has the pictures that are not written yet.
 const char *program_folder(void);
-void program_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void program_note(const char *file, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 // ---- pfm.c -----------------------------------------------------------------------------
 
@@ -152,7 +154,8 @@ bool guess_light(const picture *a, const picture *b, reference *right, text *wor
                  explanation *e);
 
 double srgb_decoded(double v);
-#define UPSIDE_DOWN \
-    "upside down: a PFM begins with the lowest row of the picture; or y points down in the camera"
+#define UPSIDE_DOWN                                                                          \
+    "upside down: a PFM begins with the lowest row of the picture; or y points down in the " \
+    "camera"
 
 #endif

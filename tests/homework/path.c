@@ -131,7 +131,8 @@ static compared compare(const part *p, const measured *m, double right[][CHANNEL
         got_sum += got, right_sum += want, variance_sum += sqrt(variance);
     }
     r.all = right_sum > 0 ? got_sum / right_sum : 1;
-    r.all_error = right_sum > 0 ? variance_sum / right_sum : 0; // the colours' noise goes together
+    r.all_error =
+        right_sum > 0 ? variance_sum / right_sum : 0; // the colours' noise goes together
     return r;
 }
 
@@ -235,7 +236,8 @@ static const char *where_rays_go(const picture *a, const picture *b, reference *
     } ways[] = {
         {0.5, 0, "the rays are not spread over the whole pixel: all go through its middle"},
         {0, 0,
-         "the rays are not spread over the whole pixel: all go through its corner. They go from "
+         "the rays are not spread over the whole pixel: all go through its corner. They go "
+         "from "
          "x to x + 1, y to y + 1"},
         {-0.5, 1,
          "all is half a pixel off: the rays of a pixel go from x to x + 1 and y to y + 1, not "
@@ -250,24 +252,37 @@ static const char *where_rays_go(const picture *a, const picture *b, reference *
     return words;
 }
 
+// Is everything cut off at 1, the lamp too?
+static bool is_clamped(const picture *a, const picture *b, const compared *results) {
+    double most = 0;
+    for (int i = 0; i < WIDTH * HEIGHT * CHANNELS; i++)
+        most = fmax(most, fmax((&a->at[0][0][0])[i], (&b->at[0][0][0])[i]));
+    const double lamp = results[BOX_BODIES - 1].ratio[0] * 11;
+    return most <= 1.0001 && lamp > 0.99;
+}
+
 // When no known mistake explains all of it: what the places say.
 static const char *guess_by_place(const compared *results, const part *parts) {
-    int wrong = 0, dark = 0, right = 0, last = -1;
-    double worst_tile = 0;
+    enum { THE_LAMP = BOX_BODIES - 1 };
+    int wrong = 0, last = -1;
+    double worst_tile = 0, darkest = INFINITY, brightest = 0;
     for (int p = 0; p < PARTS; p++) {
         if (!is_judged(&parts[p])) continue;
-        if (results[p].worst <= most_z) {
-            right += p < BOX_BODIES;
-            continue;
+        if (p < THE_LAMP) {
+            darkest = fmin(darkest, results[p].all);
+            brightest = fmax(brightest, results[p].all);
         }
-        if (p < BOX_BODIES) wrong++, last = p, dark += results[p].all < 0.9;
+        if (results[p].worst <= most_z) continue;
+        if (p < BOX_BODIES) wrong++, last = p;
         if (p >= FIRST_TILE) worst_tile = fmax(worst_tile, results[p].worst);
     }
     if (wrong == 1)
         return text_kept("only %s is wrong: its colour, or a factor in the code for it alone",
                          part_name(last));
-    if (wrong > 1 && dark == wrong && right > 2)
-        return "some bodies lose light: do rays that leave them hit them again at t near 0, or is "
+    const bool lamp_right = results[THE_LAMP].worst <= most_z;
+    if (wrong > 1 && lamp_right && darkest < 0.7 && brightest > 0.8 && brightest < 1.1)
+        return "some bodies lose much light: do rays that leave them hit them again at t near "
+               "0, or is "
                "their normal not a unit vector, or turned the wrong way?";
     if (wrong > 1 || results[SHADOWS].worst > most_z) return NULL;
     if (results[EDGES].worst > most_z)
@@ -334,10 +349,11 @@ static void judge_values(const picture *got, reference *right) {
              odd.count, odd.count == 1 ? " is" : "s are", odd.first % WIDTH, odd.first / WIDTH);
     }
     describe_bad(&t, got, bad.first, right);
-    fail(&t,
-         "path: %d pixel%s negative, light is not: is dot(d, v) where n·v is meant, or n on the "
-         "wrong side?",
-         bad.count, bad.count == 1 ? " is" : "s are");
+    fail(
+        &t,
+        "path: %d pixel%s negative, light is not: is dot(d, v) where n·v is meant, or n on the "
+        "wrong side?",
+        bad.count, bad.count == 1 ? " is" : "s are");
 }
 
 static void judge_noise(const picture *a, const picture *b, double together) {
@@ -345,9 +361,10 @@ static void judge_noise(const picture *a, const picture *b, double together) {
         fail(NULL, "path: the pictures with two different seeds are the same: SEED, the "
                    "third argument, must seed the random numbers");
     if (together > 2)
-        fail(NULL, "path: the noise is the same in neighbouring pixels (it is as large as if of "
-                   "16 pixels only %.0f had numbers of their own): does every pixel begin with "
-                   "the same random numbers?",
+        fail(NULL,
+             "path: the noise is the same in neighbouring pixels (it is as large as if of "
+             "16 pixels only %.0f had numbers of their own): does every pixel begin with "
+             "the same random numbers?",
              fmax(1, BLOCK * BLOCK / together));
 }
 
@@ -362,23 +379,27 @@ static int noisiest_body(const part *parts, const compared *results) {
 static void judge_samples(int body, double worst) {
     const double times = ceil(worst * worst / (too_noisy * too_noisy));
     if (worst > too_noisy)
-        fail(NULL,
-             "path: too noisy to judge: the standard error of the light of %s is %s %%, at most "
-             "%.0f %% is asked for: %s",
-             part_name(body), fixed_number(100 * worst), 100 * too_noisy,
-             times <= 1000
-                 ? text_kept("take %.0f times as many samples", times)
-                 : "more samples alone will hardly do: a few paths bring all the light. Is "
-                   "something divided by a density that can be near 0?");
+        fail(
+            NULL,
+            "path: too noisy to judge: the standard error of the light of %s is %s %%, at most "
+            "%.0f %% is asked for: %s",
+            part_name(body), fixed_number(100 * worst), 100 * too_noisy,
+            times <= 1000
+                ? text_kept("take %.0f times as many samples", times)
+                : "more samples alone will hardly do: a few paths bring all the light. Is "
+                  "something divided by a density that can be near 0?");
     const double found = most_z * worst;
     if (found > weak)
-        program_say("path: ok, but weak: errors below %s %% in the light of %s drown in the noise. "
-                    "Done when this says %.0f %% or less: more samples, or less noise\n",
-                    fixed_number(100 * found), part_name(body), 100 * goal);
+        program_note(
+            "report.txt",
+            "path: ok, but weak: errors below %s %% in the light of %s drown in the noise. "
+            "Done when this says %.0f %% or less: more samples, or less noise\n",
+            fixed_number(100 * found), part_name(body), 100 * goal);
     else
-        program_say("path: right within its noise: an error of %s %% in the light of any body "
-                    "would have been found%s\n",
-                    fixed_number(100 * found), found > goal ? " (the goal: 5 % or less)" : "");
+        program_note("report.txt",
+                     "path: right within its noise: an error of %s %% in the light of any body "
+                     "would have been found%s\n",
+                     fixed_number(100 * found), found > goal ? " (the goal: 5 % or less)" : "");
 }
 
 static _Noreturn void say_what_is_wrong(const picture *a, const picture *b, reference *right,
@@ -393,6 +414,8 @@ static _Noreturn void say_what_is_wrong(const picture *a, const picture *b, refe
     if (words || !guess_light(a, b, right, &t, &guessed) ||
         !explains(&guessed, parts, results, together)) {
         t = (text){0};
+        if (!words && is_clamped(a, b, results))
+            words = "values above 1 are cut off: a PFM keeps them";
         if (!words) words = guess_by_place(results, parts);
         if (!words && far_too_bright)
             words = "far too bright, every reflection adds light: is 1/π missing in the BRDF "

@@ -63,10 +63,11 @@ static const char *read_open(FILE *f, int width, int height, float *values) {
     }
     // Of random bits an eighth is sane.
     if (2 * sane < shown && 10 * sane_swapped > 9 * shown)
-        return scale > 0 ? "the bytes of the floats are the other way round: a scale of 1.0 says "
-                           "big end first, write -1.0"
-                         : "the bytes of the floats are the other way round: a scale of -1.0 "
-                           "says little end first";
+        return scale > 0
+                   ? "the bytes of the floats are the other way round: a scale of 1.0 says "
+                     "big end first, write -1.0"
+                   : "the bytes of the floats are the other way round: a scale of -1.0 "
+                     "says little end first";
     return NULL;
 }
 

@@ -48,8 +48,8 @@ static const char *in_folder(const char *file) {
     return path;
 }
 
-void program_say(const char *format, ...) {
-    FILE *f = fopen(in_folder("report.txt"), "a");
+void program_note(const char *file, const char *format, ...) {
+    FILE *f = fopen(in_folder(file), "a");
     if (!f) return;
     va_list arguments;
     va_start(arguments, format);
@@ -60,6 +60,7 @@ void program_say(const char *format, ...) {
 
 // To where HOMEWORK_PROGRESS, a file descriptor, leads: past the runner, which keeps the rest
 // until the end.
+static void progress(const char *format, ...) __attribute__((format(printf, 1, 2)));
 static void progress(const char *format, ...) {
     const char *descriptor = runner_setting("HOMEWORK_PROGRESS");
     if (!descriptor) return;
@@ -146,6 +147,7 @@ const picture *program_draw(const char *name, const char *seed) {
     progress("%s: drawing, up to %d s of processor time\n", name, child_cpu_limit(false));
     const int status = run(name, file_name, seed);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 2 && access(file, F_OK) != 0) {
+        program_note("todo.txt", "%s\n", name);
         todo_note(text_kept("the picture %s", name), "exit status 2", 0);
         return NULL;
     }

@@ -51,7 +51,8 @@ const mistake mistakes[] = {
     {"the last body hit is seen, not the nearest", ANY, LAST_BODY},
     {"the last sphere hit is seen, not the nearest body", ANY, LAST_SPHERE},
     {"the triangle reaches too far: its inside test", 1 << DEPTH | 1 << NORMAL, NO_INSIDE_TEST},
-    {"the triangle is a parallelogram: outside is also where u + w > 1, not only u > 1 or w > 1",
+    {"the triangle is a parallelogram: outside is also where u + w > 1, not only u > 1 or w > "
+     "1",
      1 << DEPTH | 1 << NORMAL, NO_SUM_TEST},
     {"the rays go through the corners of the pixels, half a pixel off: (x + 0.5, y + 0.5) is a "
      "pixel's centre",
