@@ -10,7 +10,7 @@
 #:                  exercise: only its tests, and with all other exercises solved
 #:                  SAN=1: a crash or a wrong index says in which line
 #: make hint-04     a hint for every exercise;  N=2, N=3: more of it;  T=nearest_root: for this one
-#: make progress    every exercise: not started, wrong or right
+#: make progress    every exercise: not started, wrong or right; the homework: begun or not
 #: make homework    your own ray tracer, exercises/homework/, checked stage by stage
 #:                  T=depth: one stage;  TEST_SECONDS=600: more than 120 s for a picture
 #: make test        every chapter's tests, on the solutions;  TAP=1;  JUNIT=file
@@ -205,7 +205,7 @@ progress:
 	@mkdir -p build && rm -rf $B/one
 	@$(MAKE) -k --no-print-directory one > build/progress.log 2>&1 || true
 	@{ $(foreach c,$(CHAPTERS),$(foreach e,$(call exercises,$c),echo "$c $e $B/one/$c/$e";)) } > build/progress.list
-	@sh tests/tools/progress.sh build/progress.list
+	@EXERCISES=$(EXERCISES) sh tests/tools/progress.sh build/progress.list
 .PHONY: one
 one: $(ONE)
 
@@ -234,9 +234,11 @@ $(HW)/reference: $(patsubst %,$B/obj/tests/homework/%.o,reference pfm program) $
 $(HW)/solution: $(patsubst %.c,$B/obj/%.o,$(wildcard solutions/homework/*.c)) $(COMMON)
 	$(LINK)
 
-.PHONY: homework grade handout check-homework homework-reference
+.PHONY: homework hint-homework grade handout check-homework homework-reference
 homework: $(HW_CHECK) $(HW_COURSE)
 	@sh tests/tools/homework.sh $(EXERCISES)/homework build/homework $(HW_CHECK) $(HW_COURSE) $(HW_BUILD)
+hint-homework:
+	@echo "What make homework says is the hint. The task: $(EXERCISES)/homework/README.md; how each part is done: chapters 02 to 10."
 grade: $(HW_CHECK) $(HW_COURSE)
 	@sh tests/tools/grade.sh "$(SUBMISSIONS)" build/grade $(HW_CHECK) $(HW_COURSE) $(HW_BUILD)
 handout:

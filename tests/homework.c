@@ -12,6 +12,8 @@ static bool is_built(const char *stage_name) {
     if (state == EMPTY) todo_note("your main.c", "", 0);
     if (state == NOT_BUILT && strcmp(stage_name, "build") == 0)
         fail(NULL, "does not compile: %s", why.chars);
+    if (state == NOT_BUILT && runner_setting("T")) // the stage "build" is not shown
+        fail(NULL, "not run: it does not compile: %s", why.chars);
     if (state == NOT_BUILT) fail(NULL, "not run: it does not compile");
     return state == BUILT;
 }

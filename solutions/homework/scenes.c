@@ -8,8 +8,8 @@
 
 static const body shapes[] = {
     {.shape = PLANE, .p = {V(0, 0, 0)}, .n = V(0, 1, 0)},
+    {.shape = SPHERE, .p = {V(0.45, 0.5, 0.9)}, .r = (real)0.45},
     {.shape = SPHERE, .p = {V(-0.8, 0.9, -0.4)}, .r = (real)0.9},
-    {.shape = SPHERE, .p = {V(0.65, 0.45, 0.9)}, .r = (real)0.45},
     {.shape = SPHERE, .p = {V(2.5, 2.2, 8)}, .r = (real)1.2},
     {.shape = TRIANGLE, .p = {V(0.3, 0.2, -1.2), V(1.1, 2.3, -1.9), V(2.4, 0.5, -1.6)}},
 };

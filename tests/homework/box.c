@@ -76,6 +76,16 @@ int box_body_in(int block) {
     return body;
 }
 
+bool box_is_lamp(double x, double y) {
+    return place_at(x, y).body == LAMP;
+}
+
+bool box_lamp_near(int x, int y) {
+    for (int k = 0; k < 25; k++)
+        if (box_is_lamp(x + k % 5 - 1.5, y + k / 5 - 1.5)) return true;
+    return false;
+}
+
 // The irradiance from the lamp without any shadow, of the radiance 1: ∫ cos θ cos θ' / r² dA.
 static double unshadowed(place s) {
     enum { SIDE = 8 };

@@ -37,9 +37,20 @@ int program_state(text *why);
 // until two more are drawn.
 const picture *program_draw(const char *name, const char *seed);
 
-// The folder for pictures, and a line for the student that is shown even if all is right.
+// How many pixels are not finite, or `negative`, and which is the first from the top, row by row.
+typedef struct {
+    int count, first;
+} bad_pixels;
+bad_pixels program_bad_pixels(const picture *p, bool negative);
+
+// A number for people, in two or three digits and never with an exponent. Lives as text_kept's.
+const char *fixed_number(double x);
+
+// The folder for pictures; adds a line to a file there: report.txt is shown to the student even if
+// all is right, todo.txt has the pictures that are not written yet.
 const char *program_folder(void);
-void program_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void program_note(const char *file, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 // ---- pfm.c -----------------------------------------------------------------------------
 
@@ -47,11 +58,14 @@ void program_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 // else NULL.
 const char *pfm_read(const char *path, int width, int height, float *values);
 
-// Yours, right, and the difference: grey is right, red too much, blue too little; `full` is the
-// difference that gives full colour. Pictures of width x height, written enlarged as
-// folder/name.png. `shown` scales the values to be seen.
-void draw_difference(const char *name, int width, int height, const double *yours,
-                     const double *right, double full, double offset, double shown);
+// Yours (the picture), right, and the difference: grey is right, red too much, blue too little;
+// `full` is the difference that gives full colour. `means` and `right` have width x height
+// values: what is compared. Written enlarged as folder/name.png. `shown` scales the values to be
+// seen, after `offset` is added; what is not finite is magenta, and what is negative without an
+// offset.
+void draw_difference(const char *name, const picture *yours, int width, int height,
+                     const double *means, const double *right, double full, double offset,
+                     double shown);
 
 // ---- truth.c ---------------------------------------------------------------------------
 
@@ -73,6 +87,7 @@ typedef struct {
 } seen;
 seen truth_seen(stage s, double x, double y, int mistake_id);
 const char *truth_body(stage s, int body);
+bool truth_is_mirror(stage s, int body);
 
 // ---- exact.c ---------------------------------------------------------------------------
 
@@ -94,6 +109,12 @@ enum { // the pictures in reference.pfm, from the top
     FALLOFF,
     UNIFORM,
     UNIFORM_ALL,
+    NO_COSINE_ALL,
+    COSINE_TWICE,
+    COSINE_AGAIN,
+    LAST_COLOR,
+    LAST_COLOR_UNIFORM,
+    BOTH_SIDES,
     LAYERS
 };
 typedef struct {
@@ -105,6 +126,9 @@ enum { BOX_BODIES = 8 };
 extern const char *const box_body_name[BOX_BODIES];
 // The body that fills the block, or -1: an edge runs through it or near it.
 int box_body_in(int block);
+// Is the lamp seen at this point of the picture; is it within two pixels of this one?
+bool box_is_lamp(double x, double y);
+bool box_lamp_near(int x, int y);
 // The share of the lamp's direct light that is not in shadow there; from light_1.
 double box_lit(int block, const double light_1[CHANNELS]);
 
@@ -120,14 +144,18 @@ void measure_blocks(const picture *a, const picture *b, measured *m);
 // ---- guess.c ---------------------------------------------------------------------------
 
 // What may explain the two pictures: the picture as it would be without the mistake in its
-// pixels, and the light that the mistake would give. Adds to `words` what it is.
+// pixels, and the light that the mistake would give. Adds to `words` what it is; false when
+// nothing known comes near, or two that exclude each other come equally near.
 typedef struct {
     measured got;
     blocks light;
 } explanation;
-void guess_light(const picture *a, const picture *b, reference *right, text *words,
+bool guess_light(const picture *a, const picture *b, reference *right, text *words,
                  explanation *e);
 
 double srgb_decoded(double v);
+#define UPSIDE_DOWN                                                                          \
+    "upside down: a PFM begins with the lowest row of the picture; or y points down in the " \
+    "camera"
 
 #endif

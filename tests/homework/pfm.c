@@ -22,6 +22,11 @@ static float float_of(const unsigned char *bytes, bool little) {
     return value;
 }
 
+// As light, distances and normals are.
+static bool is_sane(float v) {
+    return fabsf(v) > 1e-5f && fabsf(v) < 1e5f;
+}
+
 // What remains in the file, at most `size` bytes and one.
 static size_t rest(FILE *f, unsigned char *bytes, size_t size) {
     const size_t n = fread(bytes, 1, size, f);
@@ -47,19 +52,22 @@ static const char *read_open(FILE *f, int width, int height, float *values) {
                          4 * count);
     if (got > 4 * count)
         return "the file is too long: are the numbers 32-bit floats, three a pixel?";
-    int odd = 0, odd_swapped = 0;
+    size_t shown = 0, sane = 0, sane_swapped = 0;
     for (size_t i = 0; i < count; i++) {
         const size_t row = i / (size_t)(width * CHANNELS),
                      column = i % (size_t)(width * CHANNELS);
         const float v = float_of(bytes + 4 * i, scale < 0),
                     u = float_of(bytes + 4 * i, scale > 0);
-        odd += v != 0 && !(fabsf(v) > 1e-20f && fabsf(v) < 1e20f);
-        odd_swapped += u != 0 && !(fabsf(u) > 1e-20f && fabsf(u) < 1e20f);
+        shown += v != 0, sane += v != 0 && is_sane(v), sane_swapped += v != 0 && is_sane(u);
         values[((size_t)height - 1 - row) * (size_t)(width * CHANNELS) + column] = v;
     }
-    if (2 * (size_t)odd > count && odd > 4 * odd_swapped)
-        return "the bytes of the floats are the other way round: a scale of -1.0 says little "
-               "end first";
+    // Of random bits an eighth is sane.
+    if (2 * sane < shown && 10 * sane_swapped > 9 * shown)
+        return scale > 0
+                   ? "the bytes of the floats are the other way round: a scale of 1.0 says "
+                     "big end first, write -1.0"
+                   : "the bytes of the floats are the other way round: a scale of -1.0 "
+                     "says little end first";
     return NULL;
 }
 
@@ -88,21 +96,35 @@ static color shown_color(const double *v, double offset, double factor) {
                    (real)(factor * (v[2] + offset))};
 }
 
-void draw_difference(const char *name, int width, int height, const double *yours,
-                     const double *right, double full, double offset, double shown) {
+// Magenta: no value for a picture.
+static color shown_or_magenta(const double *v, double offset, double factor) {
+    const bool finite = isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
+    const bool negative = offset == 0 && (v[0] < 0 || v[1] < 0 || v[2] < 0);
+    return finite && !negative ? shown_color(v, offset, factor) : (color){1, 0, 1};
+}
+
+static double worst_difference(const double *a, const double *b) {
+    double worst = 0;
+    for (int c = 0; c < CHANNELS; c++)
+        if (fabs(a[c] - b[c]) > fabs(worst)) worst = a[c] - b[c];
+    return worst;
+}
+
+void draw_difference(const char *name, const picture *yours, int width, int height,
+                     const double *means, const double *right, double full, double offset,
+                     double shown) {
     const int zoom = SHOWN_WIDTH / width, w = zoom * width, h = zoom * height;
     image parts[] = {image_new(w, h), image_new(w, h), image_new(w, h)};
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++) {
             const int i = CHANNELS * (y / zoom * width + x / zoom);
-            double worst = 0;
-            for (int c = 0; c < CHANNELS; c++) {
-                const double d = yours[i + c] - right[i + c];
-                if (fabs(d) > fabs(worst)) worst = d;
-            }
-            *image_at(&parts[0], x, y) = shown_color(yours + i, offset, shown);
+            const double *v = yours->at[y * HEIGHT / h][x * WIDTH / w];
+            const color mine = shown_or_magenta(v, offset, shown);
+            const bool bad = mine.x == 1 && mine.y == 0 && mine.z == 1;
+            *image_at(&parts[0], x, y) = mine;
             *image_at(&parts[1], x, y) = shown_color(right + i, offset, shown);
-            *image_at(&parts[2], x, y) = signed_color(worst / full);
+            *image_at(&parts[2], x, y) =
+                bad ? mine : signed_color(worst_difference(means + i, right + i) / full);
         }
     image all = image_side_by_side(parts, COUNT(parts));
     char path[4096];

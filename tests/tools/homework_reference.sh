@@ -19,10 +19,12 @@ done
 for bounces in 0 1 2 3 4; do
     draw "$build/solution" "upto-$bounces.pfm" 1 1024 $bounces
 done
-for mistake in no_shadows no_cosine no_lamp_cosine falloff uniform uniform_all; do
+mistakes='no_shadows no_cosine no_lamp_cosine falloff uniform uniform_all no_cosine_all
+    cosine_twice cosine_again last_color last_color_uniform both_sides'
+for mistake in $mistakes; do
     draw "$build/tests/homework/wrong/path-$mistake/raytracer" $mistake.pfm 1 1024
 done
 reference=$(pwd)/$build/reference target=$(pwd)/$out
 cd "$scratch" && "$reference" "$target" "$all" upto-0.pfm upto-1.pfm,-upto-0.pfm \
     upto-2.pfm,-upto-1.pfm upto-3.pfm,-upto-2.pfm upto-4.pfm,-upto-3.pfm \
-    no_shadows.pfm no_cosine.pfm no_lamp_cosine.pfm falloff.pfm uniform.pfm uniform_all.pfm
+    $(for mistake in $mistakes; do echo $mistake.pfm; done)

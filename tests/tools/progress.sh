@@ -48,4 +48,11 @@ while read -r chapter exercise program; do
     last=$chapter
 done <"$1"
 [ $total -gt 0 ] && echo
+# The homework takes minutes to judge, so only whether it is begun.
+homework=${EXERCISES:-exercises}/homework
+if [ -d "$homework" ]; then
+    words='begun (make homework)'
+    grep -v '^ *//' "$homework"/*.c 2>/dev/null | grep -q '[a-z]' || words='not started'
+    printf '%-22s  %-22s  %s\n\n' homework '' "$words"
+fi
 echo "$right of $total right"

@@ -11,8 +11,8 @@ enum { SPP = 24, WIDTH = 128, HEIGHT = 96 };
 
 // ---- scene 1 -------------------------------------------------------------------------
 
-static const sphere three[] = {{V(-0.8, 0.9, -0.4), (real)0.9},
-                               {V(0.65, 0.45, 0.9), (real)0.45},
+static const sphere three[] = {{V(0.45, 0.5, 0.9), (real)0.45},
+                               {V(-0.8, 0.9, -0.4), (real)0.9},
                                {V(2.5, 2.2, 8), (real)1.2}};
 static const plane ground = {V(0, 0, 0), V(0, 1, 0)};
 static const vec3 corners[] = {V(0.3, 0.2, -1.2), V(1.1, 2.3, -1.9), V(2.4, 0.5, -1.6)};
