@@ -317,7 +317,8 @@ static void check_spans(real split, real O, real d, span in) {
     given_answer(split, O, d, in, s);
     check_early(p);
     check_late(p);
-    hint_instead("The sign of d says which child comes first.");
+    hint_instead(s.first == 0 || s.first == 1 ? "The sign of d says which child comes first."
+                                              : no_signbit);
     if (t > t0 * (1 + slack) && t < t1 * (1 - slack))
         check_words(__LINE__, s.first == (d > 0 ? 0 : 1),
                     d > 0 ? "first = 0: the child below comes first"
