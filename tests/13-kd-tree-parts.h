@@ -3,10 +3,26 @@
 #ifndef TESTS_13_KD_TREE_PARTS_H
 #define TESTS_13_KD_TREE_PARTS_H
 
-#include "chapters/13-kd-tree/kd_tree.h"
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "chapters/13-kd-tree/kd_leaf.h"
 #include "common/exact3.h"
 #include "tests/check-generic.h"
 #include "tests/check.h"
+
+// As CHECK, with what is so instead printed in words.
+static void check_words(int line, bool holds, const char *claim, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+static void check_words(int line, bool holds, const char *claim, const char *format, ...) {
+    char words[200];
+    if (holds) return;
+    va_list args;
+    va_start(args, format);
+    vsnprintf(words, sizeof words, format, args);
+    va_end(args);
+    check_that(__FILE__, line, words, false, claim);
+}
 
 // ---- kd_children -------------------------------------------------------------------------
 
@@ -67,15 +83,35 @@ static void suspect_at_plane(double got, double t) {
     }
 }
 
+static const char *const no_signbit = "first is 0 or 1, and signbit gives 0 or any other "
+                                      "number: a comparison, inverse < 0, gives "
+                                      "0 or 1.";
+static const char *const near_and_far =
+    "near is the part in the child that comes first, so it ends at the plane: [in.t0, min(t, "
+    "in.t1)], whatever the sign of d. far begins there: [max(t, in.t0), in.t1]. The sign only "
+    "says which child comes first.";
+
+// Is it t but for rounding?
+static bool is_at(real got, double t) {
+    return fabs((double)got - t) <= t_slack * fabs(t);
+}
+static void suspect_at(real got, double t, const char *what) {
+    if (is_at(got, t)) suspect_value(what, (double)got);
+}
+
 // Both children, the one below first (0) or the one above (1), parted at t.
 static void check_both(real split, real O, real d, span in, int first, double t) {
     const kd_order o = kd_children(split, O, 1 / d, in);
     given_plane(split, O, d, in);
+    if (o.first != 0 && o.first != 1) hint_instead(no_signbit);
     suspect_value("the order of another ray: which child does it come to first?", 1 - first);
     check_int(__FILE__, __LINE__, "kd_children(plane, O, 1 / d, in).first", o.first, first);
     given_plane(split, O, d, in);
+    if (is_at(o.near.t0, t) || is_at(o.far.t1, t)) hint_instead(near_and_far);
+    suspect_at(o.near.t0, t, "t: the part behind the plane. near is the one before it");
     check_real(__FILE__, __LINE__, NEAR_PART ".t0", (double)o.near.t0, (double)in.t0,
                exactly());
+    suspect_at(o.far.t1, t, "t: the part before the plane. far is the one behind it");
     check_real(__FILE__, __LINE__, FAR_PART ".t1", (double)o.far.t1, (double)in.t1, exactly());
     suspect_value("minus t: (plane - O) / d", -t);
     suspect_value("the end of the cell: the near part ends at the plane", (double)in.t1);
@@ -98,17 +134,47 @@ static void children_by_hand(void) {
     check_both(-2, 6, -4, (span){0.5f, 3}, 1, 2);
 }
 
+static const char *const not_cut =
+    "A part ends with the cell: its end is the smaller of t and in.t1, its beginning the "
+    "larger "
+    "of t and in.t0. Else the walk goes on into cells that the ray has left.";
+
+// What is said of a child's part: where it is, or that it is empty.
+static void check_part(int line, bool holds, const char *claim, const char *child, span s) {
+    check_words(line, holds, claim,
+                visited(s) ? "%s for t = %.9g to %.9g"
+                           : "%s for t = %.9g to %.9g, which is empty",
+                child, (double)s.t0, (double)s.t1);
+}
+
+// A part that is visited lies in the cell but for roundings.
+static void check_in_cell(span part, span in, const char *child) {
+    const double slack = t_slack;
+    if (!visited(part)) return;
+    hint_instead(not_cut);
+    check_part(__LINE__, part.t1 <= in.t1 * (1 + slack),
+               "no part reaches beyond the cell's end (in.t1)", child, part);
+    check_part(__LINE__, part.t0 >= in.t0 * (1 - slack),
+               "no part begins before the cell (in.t0)", child, part);
+}
+
 // Only one child, below (0) or above (1), for all of the span.
 static void check_one(real split, real O, real d, span in, int which, const char *why) {
     const sides_of_ray s = asked(split, O, d, in);
     const span yes = which ? s.above : s.below, no = which ? s.below : s.above;
+    const char *const all = which ? "above" : "below", *const none = which ? "below" : "above";
     given("the plane at %.9g; along its axis O = %.9g, d = %.9g; in the cell for t = %.9g to "
           "%.9g\n%s\nyour answer: below for t = %.9g to %.9g, above for t = %.9g to %.9g",
           (double)split, (double)O, (double)d, (double)in.t0, (double)in.t1, why,
           (double)s.below.t0, (double)s.below.t1, (double)s.above.t0, (double)s.above.t1);
-    CHECK(yes.t0 <= in.t0 && yes.t1 >= in.t1,
-          which ? "the whole span is above the plane" : "the whole span is below the plane");
-    CHECK(!visited(no), which ? "nothing of it is below" : "nothing of it is above");
+    if (s.first != 0 && s.first != 1) hint_instead(no_signbit);
+    check_part(__LINE__, yes.t0 <= in.t0 && yes.t1 >= in.t1,
+               which ? "the whole span is above the plane"
+                     : "the whole span is below the plane",
+               all, yes);
+    check_part(__LINE__, !visited(no),
+               which ? "nothing of it is below" : "nothing of it is above", none, no);
+    check_in_cell(yes, in, all);
 }
 
 static void children_one(void) {
@@ -129,9 +195,13 @@ static void children_along(void) {
         check_one(3, 5, d, in, 1, "along the plane, above it");
         const sides_of_ray s = asked(3, 3, d, in);
         given_answer(3, 3, d, in, s);
-        CHECK(s.below.t0 <= in.t0 && s.below.t1 >= in.t1 && s.above.t0 <= in.t0 &&
-                  s.above.t1 >= in.t1,
-              "a ray in the plane is in both children all the way");
+        const char *const both = "a ray in the plane is in both children all the way";
+        check_part(__LINE__, s.below.t0 <= in.t0 && s.below.t1 >= in.t1, both, "below",
+                   s.below);
+        check_part(__LINE__, s.above.t0 <= in.t0 && s.above.t1 >= in.t1, both, "above",
+                   s.above);
+        check_in_cell(s.below, in, "below");
+        check_in_cell(s.above, in, "above");
     }
 }
 
@@ -142,11 +212,15 @@ static void children_on_plane(void) {
         const sides_of_ray s = asked((real)1.7, (real)1.7, d, (span){0, 9});
         const span yes = i ? s.below : s.above, no = i ? s.above : s.below;
         given_answer((real)1.7, (real)1.7, d, (span){0, 9}, s);
-        CHECK(yes.t0 <= 0 && yes.t1 >= 9, "from t = 0 on it is on the side that d points to");
-        CHECK(visited(no) && no.t0 <= 0 && no.t1 >= 0,
-              "t = 0 is in the plane, which belongs to both sides");
+        const char *const to = i ? "below" : "above", *const from = i ? "above" : "below";
+        check_part(__LINE__, yes.t0 <= 0 && yes.t1 >= 9,
+                   "from t = 0 on it is on the side that d points to", to, yes);
+        check_part(__LINE__, visited(no) && no.t0 <= 0 && no.t1 >= 0,
+                   "t = 0 is in the plane, which belongs to both sides", from, no);
         if (is_epsilon((double)no.t1, 1)) hint_instead(an_epsilon);
-        CHECK(!visited(no) || no.t1 <= 0, "and at no t > 0 on the other");
+        check_part(__LINE__, !visited(no) || no.t1 <= 0, "and at no t > 0 on the other", from,
+                   no);
+        check_in_cell(yes, (span){0, 9}, to);
     }
 }
 
@@ -160,6 +234,11 @@ static const char *const misplaced =
     "More than rounding. For d > 0 the ray is below until t and above from t on, for d < 0 the "
     "other way round; and never outside in.t0 to in.t1.";
 
+static const char *const too_early =
+    "The plane lies at an end of the cell, but for rounding: t was compared with in.t0 or "
+    "in.t1 "
+    "before it was widened. First KD_LATER and KD_EARLIER, then the comparisons.";
+
 // A part ends or begins at `got`, and should at `want`: what does the difference look like?
 static const char *about_span(real got, exact want) {
     const double off = (double)((exact)got - want), size = fabs((double)want);
@@ -167,8 +246,61 @@ static const char *about_span(real got, exact want) {
     return is_epsilon(off, size) ? an_epsilon : misplaced;
 }
 
-static bool same_first(real split, real O, real d, span in) {
-    return kd_children(split, O, 1 / d, in).first == (d > 0 ? 0 : 1);
+static bool is_beside(exact t, exact limit) {
+    return fabs((double)(t - limit)) <= t_slack * fabs((double)limit);
+}
+
+// The parts of a ray that meets the plane at t.
+typedef struct {
+    span in, early, late;
+    const char *before, *behind; // the children in words
+    exact t;
+} parting;
+
+static void check_early(parting p) {
+    const exact t0 = p.in.t0, t1 = p.in.t1, slack = t_slack;
+    if (p.t >= t0) {
+        const exact end = p.t < t1 ? p.t : t1;
+        const bool lost =
+            !visited(p.early) && is_beside(p.t, t0) && !is_beside(p.early.t1, p.t);
+        hint_instead(lost                   ? too_early
+                     : p.early.t0 > p.in.t0 ? misplaced
+                                            : about_span(p.early.t1, end));
+        check_part(__LINE__, p.early.t0 <= p.in.t0 && p.early.t1 >= end,
+                   "the part before the plane is not cut short", p.before, p.early);
+    } else {
+        hint_instead(is_epsilon((double)(p.early.t1 - p.t), (double)p.t) ? an_epsilon
+                                                                         : no_part);
+        check_part(__LINE__, !visited(p.early) || p.t >= t0 * (1 - slack),
+                   "the part before the plane is empty", p.before, p.early);
+    }
+    hint_instead(about_span(p.early.t1, p.t));
+    if (visited(p.early) && p.t < t1)
+        check_part(__LINE__, p.early.t1 <= p.t * (1 + slack),
+                   "the part before the plane ends at it", p.before, p.early);
+    check_in_cell(p.early, p.in, p.before);
+}
+
+static void check_late(parting p) {
+    const exact t0 = p.in.t0, t1 = p.in.t1, slack = t_slack;
+    if (p.t <= t1) {
+        const exact begin = p.t > t0 ? p.t : t0;
+        const bool lost = !visited(p.late) && is_beside(p.t, t1) && !is_beside(p.late.t0, p.t);
+        hint_instead(lost                  ? too_early
+                     : p.late.t1 < p.in.t1 ? misplaced
+                                           : about_span(p.late.t0, begin));
+        check_part(__LINE__, p.late.t0 <= begin && p.late.t1 >= p.in.t1,
+                   "the part behind the plane is not cut short", p.behind, p.late);
+    } else {
+        hint_instead(is_epsilon((double)(p.late.t0 - p.t), (double)p.t) ? an_epsilon : no_part);
+        check_part(__LINE__, !visited(p.late) || p.t <= t1 * (1 + slack),
+                   "the part behind the plane is empty", p.behind, p.late);
+    }
+    hint_instead(about_span(p.late.t0, p.t));
+    if (visited(p.late) && p.t > t0)
+        check_part(__LINE__, p.late.t0 >= p.t * (1 - slack),
+                   "the part behind the plane begins at it", p.behind, p.late);
+    check_in_cell(p.late, p.in, p.behind);
 }
 
 // The reference: where is O + t d <= split, where >=, without rounding.
@@ -176,36 +308,40 @@ static void check_spans(real split, real O, real d, span in) {
     const exact t = ((exact)split - O) / d;
     const exact t0 = in.t0, t1 = in.t1, slack = t_slack;
     const sides_of_ray s = asked(split, O, d, in);
-    const span early = d > 0 ? s.below : s.above, late = d > 0 ? s.above : s.below;
+    const parting p = {in,
+                       d > 0 ? s.below : s.above,
+                       d > 0 ? s.above : s.below,
+                       d > 0 ? "below" : "above",
+                       d > 0 ? "above" : "below",
+                       t};
     given_answer(split, O, d, in, s);
-    if (t >= t0) {
-        const exact end = t < t1 ? t : t1;
-        hint_instead(early.t0 > in.t0 ? misplaced : about_span(early.t1, end));
-        CHECK(early.t0 <= in.t0 && early.t1 >= end,
-              "the part before the plane is not cut short");
-    } else {
-        hint_instead(is_epsilon((double)(early.t1 - t), (double)t) ? an_epsilon : no_part);
-        CHECK(!visited(early) || t >= t0 * (1 - slack), "the part before the plane is empty");
-    }
-    if (t <= t1) {
-        const exact begin = t > t0 ? t : t0;
-        hint_instead(late.t1 < in.t1 ? misplaced : about_span(late.t0, begin));
-        CHECK(late.t0 <= begin && late.t1 >= in.t1,
-              "the part behind the plane is not cut short");
-    } else {
-        hint_instead(is_epsilon((double)(late.t0 - t), (double)t) ? an_epsilon : no_part);
-        CHECK(!visited(late) || t <= t1 * (1 + slack), "the part behind the plane is empty");
-    }
-    hint_instead(about_span(early.t1, t));
-    if (visited(early) && t < t1)
-        CHECK(early.t1 <= t * (1 + slack), "the part before the plane ends at it");
-    hint_instead(about_span(late.t0, t));
-    if (visited(late) && t > t0)
-        CHECK(late.t0 >= t * (1 - slack), "the part behind the plane begins at it");
-    hint_instead("The sign of d says which child comes first.");
+    check_early(p);
+    check_late(p);
+    hint_instead(s.first == 0 || s.first == 1 ? "The sign of d says which child comes first."
+                                              : no_signbit);
     if (t > t0 * (1 + slack) && t < t1 * (1 - slack))
-        CHECK(same_first(split, O, d, in), d > 0 ? "first = 0: the child below comes first"
-                                                 : "first = 1: the child above comes first");
+        check_words(__LINE__, s.first == (d > 0 ? 0 : 1),
+                    d > 0 ? "first = 0: the child below comes first"
+                          : "first = 1: the child above comes first",
+                    "first = %d", s.first);
+}
+
+// Right for the planes by hand: then another test's failure is not its fault.
+static bool children_are_right(void) {
+    static const real rows[][4] = {{3, 1, 0.5f, 4},     {3, 5, -0.5f, 4}, {3, 1, 0.125f, 16},
+                                   {3, 5, -0.125f, 16}, {3, 1, 4, 0.5f},  {3, 5, -4, 0.5f},
+                                   {3, 5, 0.5f, -4},    {3, 1, -0.5f, -4}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        const real d = rows[i][2], t = rows[i][3];
+        const sides_of_ray s = asked(rows[i][0], rows[i][1], d, (span){1, 10});
+        const span early = d > 0 ? s.below : s.above, late = d > 0 ? s.above : s.below;
+        const bool both = t > 1 && t < 10;
+        if (visited(early) != (t > 1) || visited(late) != (t < 10)) return false;
+        if (both && !(is_at(early.t1, (double)t) && is_at(late.t0, (double)t))) return false;
+        if (both && s.first != (d > 0 ? 0 : 1)) return false;
+    }
+    const sides_of_ray in = asked(3, 3, -(real)0.0, (span){1, 10});
+    return in.below.t0 <= 1 && in.below.t1 >= 10 && in.above.t0 <= 1 && in.above.t1 >= 10;
 }
 
 static void children_generic(void) {
@@ -235,6 +371,39 @@ static aabb slab_of(int axis, real low, real high) {
     return box;
 }
 
+// What an answer other than `want` means. Flat and in the plane: `flat`.
+static void about_sides(int got, int want, bool flat) {
+    const int both = KD_BELOW | KD_ABOVE;
+    if (got == want) return;
+    if (got == 0) {
+        suspect_value("in no child: the primitive is lost", 0);
+        hint_instead(
+            flat ? "It is neither below nor above: one of the comparisons must let it "
+                   "in. Flat ones go below."
+                 : "Some part of the box lies on a side of the plane: below it when low "
+                   "< plane, above it when high > plane.");
+    } else if (got == both) {
+        suspect_value("in both: a reference more than needed", both);
+        hint_instead(
+            "What only touches the plane has no part behind it. Is there a <= or >= too "
+            "many?");
+    } else if (got != KD_BELOW && got != KD_ABOVE) {
+        suspect_value("no answer: KD_BELOW, KD_ABOVE or both (|), that is 1, 2 or 3", got);
+    } else if (want == both) {
+        suspect_value(got == KD_BELOW ? "only in the child below: its part above is lost"
+                                      : "only in the child above: its part below is lost",
+                      got);
+        hint_instead("The plane cuts it: each child holds a part, so both list it. Where it "
+                     "begins or where its centre is does not decide.");
+    } else {
+        suspect_value(flat ? "in the child above: flat ones go below" : "in the other child",
+                      got);
+        if (!flat)
+            hint_instead("Below is where the coordinate is smaller. Which of low and high "
+                         "is compared with the plane for which child?");
+    }
+}
+
 static void sides_by_hand(void) {
     static const struct {
         real low, high;
@@ -252,12 +421,11 @@ static void sides_by_hand(void) {
     };
     for (int axis = 0; axis < 3; axis++)
         for (int i = 0; i < COUNT(rows); i++) {
+            const int got = kd_sides(slab_of(axis, rows[i].low, rows[i].high), axis, 3);
             given("the plane at 3 across axis %d; a box from %g to %g along it\n%s", axis,
                   (double)rows[i].low, (double)rows[i].high, rows[i].what);
-            suspect_value("in no child: the primitive is lost", 0);
-            suspect_value("in both: a reference more than needed", KD_BELOW | KD_ABOVE);
-            CHECK_INT(kd_sides(slab_of(axis, rows[i].low, rows[i].high), axis, 3),
-                      rows[i].sides);
+            about_sides(got, rows[i].sides, rows[i].low == 3 && rows[i].high == 3);
+            check_int(__FILE__, __LINE__, "kd_sides(box, axis, 3)", got, rows[i].sides);
         }
 }
 
@@ -274,7 +442,9 @@ static void sides_generic(void) {
         const int want = (low < split ? KD_BELOW : 0) | (high > split ? KD_ABOVE : 0);
         given("the plane at %.9g across axis %d; a box from %.9g to %.9g along it",
               (double)split, axis, (double)low, (double)high);
-        CHECK_INT(kd_sides(slab_of(axis, low, high), axis, split), want);
+        const int got = kd_sides(slab_of(axis, low, high), axis, split);
+        about_sides(got, want, false);
+        check_int(__FILE__, __LINE__, "kd_sides(box, axis, plane)", got, want);
     }
 }
 
@@ -288,52 +458,79 @@ static void given_cost(aabb c, int axis, real split, int below, int above, kd_op
           (double)how.bonus);
 }
 
-static void cost_by_hand(void) {
-    const aabb cell = {{1, 2, 3}, {5, 8, 6}}; // sides 4, 6, 3: area 2 (24 + 18 + 12) = 108
-    const kd_options how = {.step = 0.75f, .bonus = 0.25f};
-    given_cost(cell, 0, 2, 3, 5, how); // sides 1, 6, 3: 54; sides 3, 6, 3: 90
-    suspect_value("no step", 612.0 / 108);
-    suspect_value("C_STEP, the BVH's: here a plane costs how.step", C_STEP + 612.0 / 108);
-    suspect_value("C_STEP besides how.step", C_STEP + 0.75 + 612.0 / 108);
-    suspect_value("not divided by the area of the cell", 0.75 + 612);
-    suspect_value("the step divided by the area of the cell, too", (0.75 + 612) / 108);
-    suspect_value("the bonus, though no child is empty", 0.75 + 0.75 * 612.0 / 108);
-    suspect_value("below and above exchanged", 0.75 + 540.0 / 108);
-    suspect_value("areas without their factor 2 over A with it", 0.75 + 306.0 / 108);
-    suspect_value("split and cell.max as sides: a side is a difference",
-                  0.75 + (3 * 72 + 5 * 126) / 108.0);
-    suspect_value("split as a side: it is measured from cell.min",
-                  0.75 + (3 * 72 + 5 * 90) / 108.0);
-    suspect_value("volumes, not areas", 0.75 + (3 * 18 + 5 * 54) / 72.0);
-    suspect_value("the counts alone, no areas", 0.75 + 8);
-    CHECK_REAL(kd_cost(cell, 0, 2, 3, 5, how), 0.75 + 612.0 / 108,
-               roundings(16, "a handful of operations"));
+// Sides 3, 4, 2: area 2 (12 + 8 + 6) = 52. No two of the wrong answers foreseen are near each
+// other.
+static const aabb cost_cell = {{1, 2, 3}, {4, 6, 5}};
+static const kd_options cost_how = {.step = (real)0.6, .bonus = (real)0.3};
+#define COST_CALL "kd_cost(cell, axis, plane, n_below, n_above, how)"
+static const char *const hand_first =
+    "It fails by hand, too: that one first (\"kd_cost: by hand\").";
+
+// 6 below, where the sides are 2, 4, 2: area 40; 4 above, 1, 4, 2: 28.
+static double cost_hand_hits(void) {
+    return (6 * 40 + 4 * 28) / 52.0;
+}
+static bool cost_is_right_by_hand(void) {
+    const double want = (double)cost_how.step + cost_hand_hits();
+    return fabs((double)kd_cost(cost_cell, 0, 3, 6, 4, cost_how) - want) <= 1e-5 * want;
 }
 
-// One child is empty, 7 are in a child of area 80; the other's is 52.
-static void cost_of_empty(int axis, real split, int below, int above) {
-    const aabb cell = {{1, 2, 3}, {5, 8, 6}};
-    const kd_options how = {.step = 0.75f, .bonus = 0.25f};
-    const double hits = 7 * 80.0 / 108;
-    given_cost(cell, axis, split, below, above, how);
-    suspect_value("without the bonus: one child is empty", 0.75 + hits);
-    suspect_value("the bonus was added or subtracted, not multiplied", 0.75 + hits - 0.25);
-    suspect_value("the bonus was added or subtracted, not multiplied", 0.75 + hits + 0.25);
-    suspect_value("multiplied by the bonus: 1 - bonus is what is left", 0.75 + 0.25 * hits);
-    suspect_value("the bonus on the step too", 0.75 * (0.75 + hits));
-    suspect_value("the cost grew: 1 + bonus", 0.75 + 1.25 * hits);
-    suspect_value("divided by 1 + bonus", 0.75 + hits / 1.25);
-    suspect_value("nothing but the step: the child that is not empty costs, too", 0.75);
-    suspect_value("no step", 0.75 * hits);
-    suspect_value("C_STEP, the BVH's: here a plane costs how.step", C_STEP + 0.75 * hits);
-    suspect_value("below and above exchanged", 0.75 + 0.75 * 7 * 52 / 108);
-    CHECK_REAL(kd_cost(cell, axis, split, below, above, how), 0.75 + 0.75 * hits,
-               roundings(16, "a handful of operations"));
+static void cost_by_hand(void) {
+    const double step = (double)cost_how.step, bonus = (double)cost_how.bonus;
+    const double hits = cost_hand_hits();
+    given_cost(cost_cell, 0, 3, 6, 4, cost_how);
+    suspect_value("no step", hits);
+    suspect_value("C_STEP, the BVH's: here a plane costs how.step", C_STEP + hits);
+    suspect_value("C_STEP besides how.step", C_STEP + step + hits);
+    suspect_value("not divided by the area of the cell", step + 52 * hits);
+    suspect_value("the step divided by the area of the cell, too", (step + 52 * hits) / 52);
+    suspect_value("the bonus, though no child is empty", step + (1 - bonus) * hits);
+    suspect_value("the bonus, though no child is empty", (1 - bonus) * (step + hits));
+    suspect_value("below and above exchanged", step + (6 * 28 + 4 * 40) / 52.0);
+    suspect_value("areas without their factor 2 over A with it", step + hits / 2);
+    suspect_value("split and cell.max as sides: a side is a difference",
+                  step + (6 * 52 + 4 * 64) / 52.0);
+    suspect_value("split as a side: it is measured from cell.min",
+                  step + (6 * 52 + 4 * 28) / 52.0);
+    suspect_value("cell.max as a side: it is measured from split",
+                  step + (6 * 40 + 4 * 64) / 52.0);
+    suspect_value("volumes, not areas", step + (6 * 16 + 4 * 8) / 24.0);
+    suspect_value("the counts alone, no areas", step + 10);
+    suspect_value("whole numbers divided: areas are real", step + floor(hits));
+    check_real(__FILE__, __LINE__, COST_CALL, (double)kd_cost(cost_cell, 0, 3, 6, 4, cost_how),
+               step + hits, roundings(16, "a handful of operations"));
+}
+
+// One child is empty, 13 are in the other, of area A; the empty one's is `other`.
+static void cost_of_empty(int below, int above, double A, double other) {
+    const double step = (double)cost_how.step, bonus = (double)cost_how.bonus;
+    const double hits = 13 * A / 52;
+    given_cost(cost_cell, 1, 5, below, above, cost_how);
+    if (!cost_is_right_by_hand()) hint_instead(hand_first);
+    suspect_value("without the bonus: one child is empty", step + hits);
+    suspect_value("the bonus was subtracted, not multiplied: 1 - bonus", step + hits - bonus);
+    suspect_value("the bonus was added, not multiplied: 1 - bonus", step + hits + bonus);
+    suspect_value("multiplied by the bonus: 1 - bonus is what is left", step + bonus * hits);
+    suspect_value("the bonus on the step too", (1 - bonus) * (step + hits));
+    suspect_value("the bonus on the step, not on the hits' part", (1 - bonus) * step + hits);
+    suspect_value("the cost grew: 1 + bonus", step + (1 + bonus) * hits);
+    suspect_value("divided by 1 + bonus", step + hits / (1 + bonus));
+    suspect_value("divided by 1 - bonus: multiplied, it is cheaper", step + hits / (1 - bonus));
+    suspect_value("nothing but the step: the child that is not empty costs, too", step);
+    suspect_value("no step", (1 - bonus) * hits);
+    suspect_value("C_STEP, the BVH's: here a plane costs how.step",
+                  C_STEP + (1 - bonus) * hits);
+    suspect_value("below and above exchanged", step + (1 - bonus) * 13 * other / 52);
+    suspect_value("the counts alone, no areas", step + (1 - bonus) * 13);
+    suspect_value("whole numbers divided: areas are real", step + (1 - bonus) * floor(hits));
+    check_real(__FILE__, __LINE__, COST_CALL,
+               (double)kd_cost(cost_cell, 1, 5, below, above, cost_how),
+               step + (1 - bonus) * hits, roundings(16, "a handful of operations"));
 }
 
 static void cost_empty(void) {
-    cost_of_empty(1, 4, 0, 7); // sides 4, 2, 3 and 4, 4, 3
-    cost_of_empty(1, 6, 7, 0);
+    cost_of_empty(0, 13, 22, 42); // sides 3, 1, 2 and 3, 3, 2
+    cost_of_empty(13, 0, 42, 22);
 }
 
 static double area_of(const double e[3]) {
@@ -361,12 +558,17 @@ static void cost_generic(void) {
             (below * area_of(part[1]) + above * area_of(part[2])) / area_of(part[0]);
         const bool empty = below == 0 || above == 0;
         given_cost(cell, axis, split, below, above, how);
+        if (empty)
+            hint_instead("Here a child is empty, or both are. Does \"kd_cost: one child is "
+                         "empty\" fail, too? That one first.");
+        if (!cost_is_right_by_hand()) hint_instead(hand_first);
         suspect_value("without the bonus: one child is empty", (double)how.step + hits);
         suspect_value("C_STEP, the BVH's: here a plane costs how.step",
                       C_STEP + (empty ? 1 - (double)how.bonus : 1) * hits);
         suspect_value("the bonus, though no child is empty",
                       (double)how.step + (1 - (double)how.bonus) * hits);
-        CHECK_REAL(kd_cost(cell, axis, split, below, above, how),
+        check_real(__FILE__, __LINE__, COST_CALL,
+                   (double)kd_cost(cell, axis, split, below, above, how),
                    (double)how.step + (empty ? 1 - (double)how.bonus : 1) * hits,
                    roundings(24, "a handful of operations"));
     }

@@ -2,11 +2,64 @@
 #ifndef TESTS_13_KD_TREE_WALK_H
 #define TESTS_13_KD_TREE_WALK_H
 
-#include "chapters/13-kd-tree/kd_tree.h"
+#include "chapters/13-kd-tree/kd_leaf.h"
+#include "tests/13-kd-tree-parts.h"
 #include "tests/check-trees.h"
 
 #define NEAREST_T "kd_nearest(tree, r, t_min, t_max, &index, NULL).t"
 #define ANY_CALL "kd_any(tree, r, t_min, t_max, NULL)"
+
+// ---- what it may be, besides the walk ------------------------------------------------------
+
+static const char *const children_first =
+    "kd_children is wrong, too (make test-13 T=kd_children): that one first.";
+
+static const char *slip_hint(void);
+
+static bool lies_in_a_plane(const kd_tree *k, ray r) {
+    const real O[] = {r.O.x, r.O.y, r.O.z}, d[] = {r.d.x, r.d.y, r.d.z};
+    for (long i = 0; i < k->node_count; i++) {
+        const uint32_t axis = kd_kind(k->nodes[i]);
+        if (axis != KD_LEAF && d[axis] == 0 && O[axis] == k->nodes[i].split) return true;
+    }
+    return false;
+}
+
+// Is it the tree's fault, or kd_children's, or a slip that is known? NULL when none is to blame.
+static const char *kd_blame(const kd_tree *k) {
+    static char words[300];
+    if (k->count && !k->list_count)
+        return "No triangle is in any leaf: does kd_sides put them in no child? That one "
+               "first.";
+    const char *flaw = kd_flaw(k);
+    snprintf(words, sizeof words,
+             "The tree is not right: %s. Not the walk's fault: which of kd_sides, kd_cost and "
+             "kd_clip fails above? That one first.",
+             flaw ? flaw : "");
+    return flaw ? words : children_are_right() ? slip_hint() : children_first;
+}
+
+static const char *kd_about(const tree_case *c, ray r, real t, real want, int got) {
+    const kd_tree *k = c->tree;
+    const char *blame = kd_blame(k);
+    if (blame) return blame;
+    if (want == NO_HIT || t < want) return NULL;
+    if (t > want && want * wide_length(r.d) < 1e-10 * (wide_length(r.O) + 1e-4))
+        return "The hit lies where the ray begins, but for rounding, and there spans are [0, "
+               "0]. "
+               "A span with t0 = t1 is not empty: t0 <= t1.";
+    if (got < 0) return NULL;
+    if (lies_in_a_plane(k, r))
+        return "The ray lies in a plane of the tree, so it is in both children for all of its "
+               "span: the one that waits may hold the nearer hit, or the same t and a smaller "
+               "index. Neither that the hit lies inside its cell nor that the top of the stack "
+               "begins behind it is enough: all that waits and begins before it is asked, "
+               "whatever the top of the stack says.";
+    return NULL;
+}
+
+static const tree_case kd_case = {
+    .by = &by_kd_tree, .nearest = NEAREST_T, .any = ANY_CALL, .about = kd_about};
 
 // ---- a tree made by hand ------------------------------------------------------------------
 
@@ -47,19 +100,106 @@ static void given_hand(ray r, real t_min, real t_max, const char *spent, const c
           ARG(r.O), ARG(r.d), (double)t_min, (double)t_max, spent, what);
 }
 
+// ---- walks gone wrong -----------------------------------------------------------------------
+
+// What is known to go wrong in a walk.
+typedef enum { EXCHANGED, FIRST_LEAF, OWN_FOUND, SLIPS } slip;
+
+static const struct {
+    const char *looks_like, *hint;
+} slips[SLIPS] = {
+    {"near and far went to each other's child",
+     "o.near belongs to the child that comes first: that is the one above when o.first is 1, "
+     "the one below when it is 0."},
+    {"a hit that lies outside the cell in whose leaf it was found: a nearer one waits in the "
+     "next cell",
+     "A leaf's triangle may be hit behind the cell's end. What may still lie before that hit? "
+     "All that waits and begins before it must still be asked."},
+    {"the first of two leaves that hit at the same t",
+     "Between leaves, too, the smaller index counts. One found for the whole walk sees to it: "
+     "kd_leaf_nearest compares."},
+};
+
+// Below a node, with the slip. True: the walk is over.
+static bool slip_below(const kd_tree *k, uint32_t node, span in, ray r, real t_min, slip s,
+                       bvh_found *found) {
+    const kd_node n = k->nodes[node];
+    const uint32_t axis = kd_kind(n);
+    if (axis == KD_LEAF) {
+        bvh_found own = bvh_nothing_found(found->limit);
+        kd_leaf_nearest(k, n, r, t_min, s == OWN_FOUND ? &own : found, NULL);
+        if (own.best.t < found->best.t) *found = own;
+        return s == FIRST_LEAF && found->best.t != NO_HIT;
+    }
+    const kd_ray q = kd_ray_of(r);
+    const kd_order o = kd_children(n.split, q.O[axis], q.inverse[axis], in);
+    const bool above_first = (o.first != 0) != (s == EXCHANGED);
+    const uint32_t below = node + 1, above = kd_number(n);
+    if (o.near.t0 <= o.near.t1 &&
+        slip_below(k, above_first ? above : below, o.near, r, t_min, s, found))
+        return true;
+    return o.far.t0 <= o.far.t1 && o.far.t0 <= found->limit &&
+           slip_below(k, above_first ? below : above, o.far, r, t_min, s, found);
+}
+
+static const ray hand_rays[] = {
+    {{0, -1, 0}, {1, 0, 0}},    {{0, 1, 0}, {1, 0, 0}},     {{0, -2, 0}, {1, 0, 0}},
+    {{7, 1, 0}, {-2, 0, 0}},    {{4.5f, 1, 0}, {-1, 0, 0}}, {{2.75f, 1, 0}, {-1, 0, 0}},
+    {{0, 6, 0}, {1, 0, 0}},     {{2, 1, 0}, {1, 0, 0}},     {{2, 5, 1}, {-0.0f, -1, 0}},
+    {{0, 0, 0}, {1, 0, 0}},     {{6, 0, 0}, {-1, 0, 0}},    {{0, 6, 0.5f}, {1, 0, 0.1f}},
+    {{1.5f, 5, 0}, {-1, 0, 0}},
+};
+
+// The slip that gives the student's t and index for all rays; SLIPS: none that is known.
+static slip known_slip(void) {
+    const kd_tree k = hand_tree(&hand_mesh);
+    for (int s = 0; s < SLIPS; s++) {
+        bool same = true;
+        for (int i = 0; i < COUNT(hand_rays) && same; i++) {
+            const kd_ray q = kd_ray_of(hand_rays[i]);
+            bvh_found found = bvh_nothing_found(NO_HIT);
+            span in;
+            int index = -1;
+            if (kd_enter(&k, &q, 0, NO_HIT, &in))
+                slip_below(&k, 0, in, hand_rays[i], 0, (slip)s, &found);
+            const real t = kd_nearest(&k, hand_rays[i], 0, NO_HIT, &index, NULL).t;
+            same = t == found.best.t && index == found.index;
+        }
+        if (same) return (slip)s;
+    }
+    return SLIPS;
+}
+
+static const char *slip_hint(void) {
+    const slip s = known_slip();
+    return s < SLIPS ? slips[s].hint : NULL;
+}
+
+// A hit of the hand-made tree that is not as it should be.
+static void about_hand(ray r, real t, real want, int got, bool near) {
+    if (!children_are_right()) {
+        hint_instead(children_first);
+        return;
+    }
+    const slip s = known_slip();
+    hint_instead(s < SLIPS ? slips[s].hint
+                           : tree_hint(&hand_mesh, r, t, near ? t : want, got, -7));
+    if (s < SLIPS && near)
+        suspect_value(slips[s].looks_like, got);
+    else if (s < SLIPS)
+        suspect_value(slips[s].looks_like, (double)t);
+    else if (t > want && t != NO_HIT)
+        suspect_value("a hit further away: a nearer one waits in another cell", (double)t);
+}
+
 static void check_hand(ray r, real t_min, real t_max, real t, int index, const char *what) {
     const kd_tree k = hand_tree(&hand_mesh);
     int got = -7;
     given_hand(r, t_min, t_max, "= NULL", what);
     const triangle_point q = kd_nearest(&k, r, t_min, t_max, &got, NULL);
-    suspect_value("a miss: a hit is lost", (double)NO_HIT);
-    if (q.t > t)
-        suspect_value(
-            "a hit that lies outside the cell in whose leaf it was found: a nearer one "
-            "waits in the next cell",
-            (double)q.t);
-    const bool near = t != NO_HIT && fabs(q.t - t) <= 4 * REAL_EPSILON * t;
-    hint_instead(tree_hint(&hand_mesh, r, q.t, near ? q.t : t, got, -7));
+    const bool near = q.t == t || (t != NO_HIT && fabs(q.t - t) <= 4 * REAL_EPSILON * t);
+    if (!near || got != index) about_hand(r, q.t, t, got, near);
+    if (t != NO_HIT) suspect_value("a miss: a hit is lost", (double)NO_HIT);
     check_real(__FILE__, __LINE__, NEAREST_T, (double)q.t, (double)t,
                roundings(4, "the triangle's test rounds t once"));
     suspect_value("untouched, after a hit", -7);
@@ -97,6 +237,29 @@ static void nearest_interval(void) {
     check_hand((ray){{0, 40, 0}, {1, 0, 0}}, 0, NO_HIT, NO_HIT, -7, "beside the root's box");
 }
 
+// What was counted is not what should be: why?
+static const char *about_effort(long got_steps, long got_tests, long steps, long tests) {
+    if (!children_are_right()) return children_first;
+    if (slip_hint()) return slip_hint();
+    if (got_steps < 0 || got_tests < 0)
+        return "What was in *spent stays, and more is added: +=, not =.";
+    if (tests && got_tests == 2 * tests && got_steps == steps)
+        return "kd_leaf_nearest counts the tests already, when it is handed spent.";
+    if (tests && got_tests == 0)
+        return "kd_leaf_nearest adds the tests when it is handed spent.";
+    if (got_tests < tests)
+        return "Fewer than needed: a child that the ray is in was not asked.";
+    if (got_tests == tests && got_steps < steps)
+        return "One step for the root's box, asked by kd_enter, and one for each plane, asked "
+               "by "
+               "kd_children.";
+    if (steps == 1) return "kd_enter says whether the ray is in the root's box at all.";
+    return "Asked without need. Does the near child come first, and the far one wait (o.first, "
+           "o.near, o.far)? Is a child whose span is empty left alone? Is what waits and "
+           "begins "
+           "behind found.limit left out?";
+}
+
 // What a walk by hand spends, and a tree without nodes.
 static void check_effort(ray r, long steps, long tests, const char *what) {
     const kd_tree k = hand_tree(&hand_mesh);
@@ -104,21 +267,19 @@ static void check_effort(ray r, long steps, long tests, const char *what) {
     effort spent = {100, 1000};
     given_hand(r, 0, NO_HIT, "= {100, 1000} before", what);
     kd_nearest(&k, r, 0, NO_HIT, &index, &spent);
-    hint_instead("*spent is added to: a step for the root's box, one for each plane asked; "
-                 "kd_leaf_nearest adds the tests when it is handed spent.");
-    CHECK(spent.steps > 100 && spent.tests >= 1000, "steps and tests are added to *spent");
-    CHECK(tests == 0 || spent.tests > 1000, "the tests are counted");
-    if (spent.tests - 1000 < tests)
-        hint_instead("Fewer than needed: a child that the ray is in was not asked.");
-    else if (steps == 1)
-        hint_instead("kd_enter says whether the ray is in the root's box at all.");
-    else if (spent.tests - 1000 > tests)
-        hint_instead(
-            "Asked without need. Does the near child come first, and the far one wait "
-            "(o.first, o.near, o.far)? Is what waits and begins behind found.limit left "
-            "out?");
-    suspect_value("the root's box is not counted", (double)(100 + steps - 1));
+    const long more_steps = spent.steps - 100, more_tests = spent.tests - 1000;
+    hint_instead(about_effort(more_steps, more_tests, steps, tests));
+    suspect_value("not added to what was there", (double)tests);
+    if (more_steps == steps)
+        suspect_value("added twice: kd_leaf_nearest counts the tests already",
+                      1000 + 2 * (double)tests);
+    if (tests) suspect_value("no test is counted", 1000);
     check_int(__FILE__, __LINE__, "spent.tests", spent.tests, 1000 + tests);
+    given_hand(r, 0, NO_HIT, "= {100, 1000} before", what);
+    hint_instead(about_effort(more_steps, more_tests, steps, tests));
+    suspect_value("no step is counted", 100);
+    suspect_value("not added to what was there", (double)steps);
+    suspect_value("one step is missing: the root's box?", (double)(100 + steps - 1));
     check_int(__FILE__, __LINE__, "spent.steps", spent.steps, 100 + steps);
 }
 
@@ -129,6 +290,8 @@ static void nearest_effort(void) {
                  "1 is hit at x = 3: the cell behind x = 4 need not be asked");
     check_effort((ray){{7, -2, 0}, {-1, 0, 0}}, 3, 2,
                  "from the other end; 2 is hit at x = 5: nothing before x = 4 is asked");
+    check_effort((ray){{4.5f, 8, -20}, {0, 0, 1}}, 3, 2,
+                 "nothing is hit; the ray is only in the cell behind x = 4");
     check_effort((ray){{0, 40, 0}, {1, 0, 0}}, 1, 0, "beside the root's box");
 }
 
@@ -151,7 +314,8 @@ static void nearest_ties(void) {
     for (int i = 0; i < 40; i++) { // copies on both sides of planes, and everywhere
         mesh m = tree_soup(60, i % 2 ? tree_copies : tree_bricks, &g);
         void *tree = by_kd_tree.build(&m);
-        const tree_case c = {&by_kd_tree, NEAREST_T, ANY_CALL, "many at the same t", &m, tree};
+        tree_case c = kd_case;
+        c.scene = "many at the same t", c.m = &m, c.tree = tree;
         tree_agrees_on_aim(&c, AT_ANYTHING, 300, &g);
         tree_agrees_on_aim(&c, ON_AXIS, 300, &g);
         by_kd_tree.free(tree);
@@ -182,32 +346,44 @@ static void nearest_ends(void) {
         const real t = kd_nearest(&k, r, 0, NO_HIT, &index, &spent).t;
         int first = -1;
         const real want = mesh_hit(&m, r, 0, NO_HIT, &first).t;
-        hint_instead(tree_hint(&m, r, t, want, index, -1));
-        CHECK_INT(index, i);
-        hint_instead("Does the near child come first, and the far one wait (o.first, o.near, "
-                     "o.far)? Is what waits and begins behind found.limit left out?");
-        suspect_value("no test counted: spent is not NULL here", 0);
+        const bool right = t == want && index == i && spent.tests <= 12 && spent.steps >= 3;
+        const char *blame = right ? NULL : kd_blame(&k);
+        hint_instead(blame ? blame : tree_hint(&m, r, t, want, index, -1));
+        suspect_value("untouched: a miss", -1);
+        check_int(__FILE__, __LINE__, "kd_nearest(tree, r, 0, NO_HIT, &index, &spent); index",
+                  index, i);
+        hint_instead(blame ? blame
+                           : "Does the near child come first, and the far one wait (o.first, "
+                             "o.near, o.far)? Is what waits and begins behind found.limit left "
+                             "out?");
         check_at_most(__FILE__, __LINE__, "spent.tests", (double)spent.tests, 12,
                       "the walk ends with the first wall: the cells behind are not asked");
-        CHECK(spent.tests > 0 && spent.steps > 0, "steps and tests are counted");
-        CHECK(spent.steps >= 3, "a step is counted for each plane, the root's box being one");
+        hint_instead(blame
+                         ? blame
+                         : "spent is not NULL here: a step for the root's box and for each "
+                           "plane; kd_leaf_nearest counts the tests when it is handed spent.");
+        check_words(__LINE__, spent.tests > 0, "the tests are counted", "spent.tests = %ld",
+                    (long)spent.tests);
+        check_words(__LINE__, spent.steps >= 3,
+                    "a step is counted for each plane and for the root's box",
+                    "spent.steps = %ld", (long)spent.steps);
     }
     kd_free(&k);
 }
 
 static void nearest_scenes(void) {
     rng g = check_rng(1311);
-    tree_agrees_on_scenes(&by_kd_tree, NEAREST_T, ANY_CALL, 200, &g);
+    tree_agrees_on_scenes(kd_case, 200, &g);
 }
 
 static void nearest_shapes(void) {
     rng g = check_rng(1312);
-    tree_agrees_on_shapes(&by_kd_tree, NEAREST_T, ANY_CALL, 100, &g);
+    tree_agrees_on_shapes(kd_case, 100, &g);
 }
 
 static void nearest_many(void) {
     rng g = check_rng(1313);
-    tree_agrees_on_many(&by_kd_tree, NEAREST_T, ANY_CALL, 150, 1000, &g);
+    tree_agrees_on_many(kd_case, 150, 1000, &g);
 }
 
 // From inside a closed mesh every ray meets it, also at edges and corners, along axes and in
@@ -227,11 +403,15 @@ static void nearest_leaks(void) {
             if (i % 5 == 0) d = tree_along(d, i % 3, i % 2, &g);
             if (!(dot(d, d) > 0)) continue;
             int index = -1;
+            given("a closed mesh of %d triangles, from inside\nray O = " VEC ", d = " VEC
+                  "\n%d rays before this one came back",
+                  m.count, ARG(O), ARG(d), 30000 * s + i);
             const triangle_point q = kd_nearest(&k, (ray){O, d}, 0, NO_HIT, &index, NULL);
             if (q.t != NO_HIT && kd_any(&k, (ray){O, d}, 0, NO_HIT, NULL)) continue;
-            given("a closed mesh of %d triangles, from inside\nray O = " VEC ", d = " VEC,
-                  m.count, ARG(O), ARG(d));
-            CHECK(q.t != NO_HIT, "no ray leaves a closed mesh");
+            const char *blame = kd_blame(&k);
+            if (blame) hint_instead(blame);
+            check_words(__LINE__, q.t != NO_HIT, "no ray leaves a closed mesh",
+                        "a miss of kd_nearest");
             CHECK_BOOL(kd_any(&k, (ray){O, d}, 0, NO_HIT, NULL), true);
         }
         kd_free(&k);
@@ -246,8 +426,11 @@ static void check_promises(const mesh *m, const char *name, kd_options how) {
     const char *flaw = kd_flaw(&k);
     given("%s: %d triangles; %ld nodes, %ld references\n%s", name, m->count, k.node_count,
           k.list_count, flaw ? flaw : "no flaw");
-    CHECK(flaw == NULL, "the tree keeps its promises (kd_flaw)");
-    CHECK(kd_measure(&k).depth <= kd_depth_limit(k.count), "no leaf is deeper than the limit");
+    if (k.count && !k.list_count) hint_instead(kd_blame(&k));
+    check_words(__LINE__, flaw == NULL, "the tree keeps its promises (kd_flaw)", "%s",
+                flaw ? flaw : "");
+    check_words(__LINE__, kd_measure(&k).depth <= kd_depth_limit(k.count),
+                "no leaf is deeper than the limit", "depth %d", kd_measure(&k).depth);
     kd_free(&k);
 }
 
@@ -280,8 +463,8 @@ static void build_options(void) {
     mesh m = tree_soup(120, tree_needles, &g);
     for (int k = 0; k < COUNT(several); k++) {
         kd_tree tree = kd_build(&m, several[k]);
-        const tree_case c = {&by_kd_tree, NEAREST_T, ANY_CALL, "needles, other options",
-                             &m,          &tree};
+        tree_case c = kd_case;
+        c.scene = "needles, other options", c.m = &m, c.tree = &tree;
         tree_agrees_on_aim(&c, AT_ANYTHING, 1500, &g);
         kd_free(&tree);
     }
@@ -314,6 +497,8 @@ static void build_pays(void) {
     for (int i = 0; i < 2000; i++)
         kd_nearest(&k, tree_aimed(&m, AT_ANYTHING, &g), 0, NO_HIT, &index, &spent);
     given("a knot of %d triangles, 2000 rays", m.count);
+    const char *blame = kd_blame(&k);
+    if (blame) hint_instead(blame);
     check_at_most(__FILE__, __LINE__, "triangles tested per ray", (double)spent.tests / 2000,
                   40, "far fewer than there are: 5 to 15 are usual");
     CHECK(kd_measure(&k).empty > 0, "there are empty cells");
@@ -325,7 +510,9 @@ static void build_pays(void) {
 static void build_flaws(void) {
     mesh m = shape_knot(300);
     kd_tree k = kd_build(&m, kd_defaults);
-    CHECK(kd_flaw(&k) == NULL, "a tree as built has no flaw");
+    const char *flaw = kd_flaw(&k);
+    given("a knot of %d triangles", m.count);
+    check_words(__LINE__, flaw == NULL, "a tree as built has no flaw", "%s", flaw ? flaw : "");
     const uint32_t listed = k.lists[0];
     k.lists[0] = (uint32_t)m.count;
     CHECK(kd_flaw(&k) != NULL, "a triangle that does not exist is a flaw");
@@ -364,8 +551,17 @@ static void searchers_agree(void) {
     mesh m = tree_soup(150, tree_cloud, &g);
     for (int s = 0; s < COUNT(all); s++) {
         void *tree = all[s]->build(&m);
-        const tree_case c = {all[s], all[s]->name, all[s]->name, "a cloud", &m, tree};
-        CHECK(all[s]->flaw(tree) == NULL, "a tree as built has no flaw");
+        const tree_case c = {.by = all[s],
+                             .nearest = all[s]->name,
+                             .any = all[s]->name,
+                             .scene = "a cloud",
+                             .m = &m,
+                             .tree = tree,
+                             .about = all[s] == &by_kd_tree ? kd_about : NULL};
+        const char *flaw = all[s]->flaw(tree);
+        given("%s of a cloud of %d triangles", all[s]->name, m.count);
+        check_words(__LINE__, flaw == NULL, "a tree as built has no flaw", "%s",
+                    flaw ? flaw : "");
         CHECK((all[s]->bytes(tree) > 0) == (s > 0), "brute force needs no memory, trees do");
         tree_agrees_on_aim(&c, AT_ANYTHING, 1500, &g);
         effort spent = {0, 0};
@@ -386,9 +582,13 @@ static void as_finder(void) {
     for (int i = 0; i < 2000; i++) {
         const ray r = tree_aimed(&m, AT_ANYTHING, &g);
         int a = -1, b = -1;
-        CHECK_REAL(mesh_hit(&with, r, 0, NO_HIT, &a).t, mesh_hit(&m, r, 0, NO_HIT, &b).t,
-                   exactly());
-        CHECK_INT(a, b);
+        const real t = mesh_hit(&with, r, 0, NO_HIT, &a).t;
+        const real want = mesh_hit(&m, r, 0, NO_HIT, &b).t;
+        given("a cloud\nray O = " VEC ", d = " VEC, ARG(r.O), ARG(r.d));
+        if (t != want) suspect_value("a miss: a hit is lost", (double)NO_HIT);
+        check_real(__FILE__, __LINE__, "mesh_hit(mesh with the tree, r, 0, NO_HIT, &index).t",
+                   (double)t, (double)want, exactly());
+        check_int(__FILE__, __LINE__, "index", a, b);
         CHECK_BOOL(mesh_any(&with, r, 0, NO_HIT), b >= 0);
     }
     kd_free(&k);

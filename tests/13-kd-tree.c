@@ -7,8 +7,13 @@
 #define WALK \
     "A leaf's triangle may be hit behind the cell's end. What may still lie before that hit?"
 
+#define FIRST "Does an exercise above fail? That one first. "
+
 int main(void) {
     static const test tests[] = {
+        {"kd_sides: by hand", sides_by_hand,
+         "Take the cases one by one: low and high below, at and above the plane."},
+        {"kd_sides: generic boxes", sides_generic, "Both comparisons are with the plane."},
         {"kd_children: by hand", children_by_hand, WAYS},
         {"kd_children: one child only", children_one,
          "Where the plane is met before the cell, behind it, or behind O, one child holds "
@@ -21,14 +26,10 @@ int main(void) {
          "t = 0 at the plane: the sign of d says where the ray goes."},
         {"kd_children: generic rays, thin cells", children_generic,
          "Below the plane until t, above from t on, or the other way round."},
-        {"kd_sides: by hand", sides_by_hand,
-         "Take the cases one by one: low and high below, at and above the plane. Is one in no "
-         "child?"},
-        {"kd_sides: generic boxes", sides_generic, "Both comparisons are with the plane."},
         {"kd_cost: by hand", cost_by_hand,
          "Term by term: how.step; each count times its child's area over the cell's."},
         {"kd_cost: one child is empty", cost_empty,
-         "As before, and the hits' part times 1 - how.bonus, whichever child is empty."},
+         "The hits' part times 1 - how.bonus, whichever child is empty; the step as it is."},
         {"kd_cost: generic cells", cost_generic,
          "By hand it is right: what differs here? Another axis, larger counts, sizes, "
          "options?"},
@@ -56,17 +57,18 @@ int main(void) {
         {"kd_nearest: shapes, as brute force", nearest_shapes, WALK},
         {"kd_nearest: 150,000 rays, as brute force", nearest_many, WALK},
         {"kd_nearest: no leak", nearest_leaks,
-         "As above; and a far cell that the ray is in for less than a rounding must be "
-         "visited, "
-         "too."},
-        {"kd_build: promises", build_promises, "See kd_flaw."},
-        {"kd_build: options", build_options, "A tree of any options finds the same."},
-        {"kd_build: twice the same", build_twice, "No order of memory or time may enter."},
-        {"kd_build: pays", build_pays, "Divisions by kd_cost, sides by kd_sides."},
-        {"kd_flaw: sees", build_flaws, "Each promise is looked at."},
-        {"kd_any: as brute force", any_scenes, "Every cell that the ray is in."},
-        {"searcher: all agree", searchers_agree, "One contract for all."},
-        {"kd_finder: as the mesh's finder", as_finder, "kd_nearest and kd_any."},
+         FIRST
+         "A far cell that the ray is in for less than a rounding must be visited, too; and "
+         "one for which t0 = t1."},
+        {"kd_build: promises", build_promises, FIRST "See kd_flaw."},
+        {"kd_build: options", build_options, FIRST "A tree of any options finds the same."},
+        {"kd_build: twice the same", build_twice,
+         FIRST "No order of memory or time may enter."},
+        {"kd_build: pays", build_pays, FIRST "Divisions by kd_cost, sides by kd_sides."},
+        {"kd_flaw: sees", build_flaws, FIRST "Each promise is looked at."},
+        {"kd_any: as brute force", any_scenes, FIRST "Every cell that the ray is in."},
+        {"searcher: all agree", searchers_agree, FIRST "One contract for all."},
+        {"kd_finder: as the mesh's finder", as_finder, FIRST "kd_nearest and kd_any."},
     };
     return run_tests("13-kd-tree", tests, COUNT(tests));
 }

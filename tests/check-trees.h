@@ -66,20 +66,25 @@ static inline ray tree_ray(const mesh *m, tree_aim aim, rng *g) {
 
 // ---- agreement with brute force --------------------------------------------------------------
 
-typedef struct {
+typedef struct tree_case tree_case;
+struct tree_case {
     const searcher *by;
     const char *nearest, *any; // how they are called: for the messages
     const char *scene;
     const mesh *m; // without a finder
     const void *tree;
-} tree_case;
+    // A hint about this kind of tree when t, of triangle `got`, is not `want`; or NULL.
+    const char *(*about)(const tree_case *c, ray r, real t, real want, int got);
+};
 
-// What was asked, also when it crashes.
+// What was asked, also when it crashes or is stopped: then how many rays came back tells an
+// endless walk from a slow one.
 static inline void given_ray(const tree_case *c, ray r, real t_min, real t_max) {
+    static long before = 0;
     given("%s: %d triangles%s\nray O = " VEC ", d = " VEC "\nt_min = %.9g, t_max = %.9g; "
-          "spent = NULL",
+          "spent = NULL\n%ld rays before this one came back",
           c->scene, c->m->count, c->m->count ? "" : ": no node, and no array of nodes",
-          ARG(r.O), ARG(r.d), (double)t_min, (double)t_max);
+          ARG(r.O), ARG(r.d), (double)t_min, (double)t_max, before++);
 }
 
 static inline void given_search(const tree_case *c, ray r, real t_min, real t_max) {
@@ -101,7 +106,9 @@ static inline const char *tree_index_hint(const mesh *m, ray r, real t, int got,
         return "t is right, but not that triangle's: t and index must be of the same hit, and "
                "index the number in the mesh.";
     return "Both are hit at this t, and what waits may hold the other: all of it that does not "
-           "begin beyond found.limit is asked, whatever the top of the stack says.";
+           "begin beyond found.limit is asked, whatever the top of the stack says. And one "
+           "found "
+           "serves all leaves: of hits at the same t the smaller index counts.";
 }
 
 // A hint by the kind of failure: `got` was left in *index, which was `untouched` before.
@@ -126,7 +133,8 @@ static inline const char *tree_hint(const mesh *m, ray r, real t, real want, int
 static inline void tree_disagrees(const tree_case *c, ray r, real t_min, real t_max,
                                   triangle_point q, int got, triangle_point want, int index) {
     given_search(c, r, t_min, t_max);
-    hint_instead(tree_hint(c->m, r, q.t, want.t, got, -1));
+    const char *about = c->about ? c->about(c, r, q.t, want.t, got) : NULL;
+    hint_instead(about ? about : tree_hint(c->m, r, q.t, want.t, got, -1));
     suspect_value("a miss: a hit is lost", (double)NO_HIT);
     if (q.t > want.t && q.t != NO_HIT)
         suspect_value("a hit further away: a nearer one waited in another cell", (double)q.t);
@@ -189,42 +197,40 @@ static inline void tree_agrees_from_origin(const tree_case *c, int rays, rng *g)
     }
 }
 
-static inline void tree_agrees_on_scenes(const searcher *by, const char *nearest,
-                                         const char *any, int rays, rng *g) {
+// With c->by, on scenes of their own.
+static inline void tree_agrees_on_scenes(tree_case c, int rays, rng *g) {
     for (int i = 0; i < COUNT(tree_scenes); i++) {
         mesh m = tree_soup(tree_scenes[i].count, tree_scenes[i].make, g);
-        void *tree = by->build(&m);
-        const tree_case c = {by, nearest, any, tree_scenes[i].name, &m, tree};
+        void *tree = c.by->build(&m);
+        c.scene = tree_scenes[i].name, c.m = &m, c.tree = tree;
         if (tree_scenes[i].from_origin) tree_agrees_from_origin(&c, rays, g);
         for (int aim = 0; aim < TREE_AIMS && !tree_scenes[i].from_origin; aim++)
             tree_agrees_on_aim(&c, (tree_aim)aim, rays, g);
-        by->free(tree);
+        c.by->free(tree);
         mesh_free(&m);
     }
 }
 
-static inline void tree_agrees_on_shapes(const searcher *by, const char *nearest,
-                                         const char *any, int rays, rng *g) {
+static inline void tree_agrees_on_shapes(tree_case c, int rays, rng *g) {
     for (const shape *s = shapes; s->name; s++) {
         mesh m = s->make(500);
-        void *tree = by->build(&m);
-        const tree_case c = {by, nearest, any, s->name, &m, tree};
+        void *tree = c.by->build(&m);
+        c.scene = s->name, c.m = &m, c.tree = tree;
         for (int aim = 0; aim < TREE_AIMS; aim++)
             tree_agrees_on_aim(&c, (tree_aim)aim, rays, g);
-        by->free(tree);
+        c.by->free(tree);
         mesh_free(&m);
     }
 }
 
 // Few triangles, many rays, many trees.
-static inline void tree_agrees_on_many(const searcher *by, const char *nearest, const char *any,
-                                       int trees, int rays, rng *g) {
+static inline void tree_agrees_on_many(tree_case c, int trees, int rays, rng *g) {
     for (int i = 0; i < trees; i++) {
         mesh m = tree_soup(2 + tree_whole(g, 11), tree_cloud, g);
-        void *tree = by->build(&m);
-        const tree_case c = {by, nearest, any, "a few triangles", &m, tree};
+        void *tree = c.by->build(&m);
+        c.scene = "a few triangles", c.m = &m, c.tree = tree;
         tree_agrees_on_aim(&c, AT_ANYTHING, rays, g);
-        by->free(tree);
+        c.by->free(tree);
         mesh_free(&m);
     }
 }

@@ -21,8 +21,9 @@ typedef struct {
     progress *shown; // or NULL
 } builder;
 
+// A list of none, too: realloc may give NULL for no bytes.
 static void *grown(void *room, long count, size_t size) {
-    room = realloc(room, (size_t)count * size);
+    room = realloc(room, (size_t)(count ? count : 1) * size);
     if (!room) die(EXIT_RUN, "no memory for a tree of %ld nodes or references", count);
     return room;
 }

@@ -112,6 +112,11 @@ bool kd_enter(const kd_tree *k, const kd_ray *r, real t_min, real t_max, span *i
 
 // Exercises: exercises/13-kd-tree/ ------------------------------------------------------
 
+// Which children hold a primitive with this box: 1 below, 2 above, 3 both. What only touches
+// the plane from one side is on that side; what is flat and lies in the plane is below.
+enum { KD_BELOW = 1, KD_ABOVE = 2 };
+int kd_sides(aabb box, int axis, real split);
+
 // The two children of a node, in the order in which the ray comes to them.
 typedef struct {
     int first;      // 0: the one below the plane comes first, 1: the one above
@@ -121,19 +126,16 @@ typedef struct {
 // A ray that is in a cell for the t of `in`, 0 <= in.t0 <= in.t1, and the cell's children,
 // which are closed: x <= split and x >= split. O and d are the components along the axis;
 // inverse = 1 / d, ±infinity for d = ±0. A ray along the plane and in it is in both children;
-// one that begins in the plane is in both at t = 0. The spans are never shorter than exact
-// ones and may reach further by a few roundings (KD_EARLIER, KD_LATER). Either order for a ray
-// that is in only one of them, or in both at the same t.
+// one that begins in the plane is in both at t = 0. near begins at in.t0, far ends at in.t1;
+// their other ends are never cut short, may reach further by a few roundings (KD_EARLIER,
+// KD_LATER), and by no more beyond `in`. Either order for a ray that is in only one of them, or
+// in both at the same t.
 kd_order kd_children(real split, real O, real inverse, span in);
 
-// Which children hold a primitive with this box: 1 below, 2 above, 3 both. What only touches
-// the plane from one side is on that side; what is flat and lies in the plane is below.
-enum { KD_BELOW = 1, KD_ABOVE = 2 };
-int kd_sides(aabb box, int axis, real split);
-
 // The expected cost of dividing a cell at the plane, with so many primitives below and above:
-// step + C_HIT (n_b A_b + n_a A_a) / A, in which the hits' part is multiplied by 1 - bonus when
-// a child is empty. A, A_b, A_a: areas of the cell and its children. A > 0.
+// how.step + C_HIT (n_b A_b + n_a A_a) / A, in which the hits' part is multiplied by 1 -
+// how.bonus when a child is empty. A, A_b, A_a: areas of the cell and its children. A > 0. C_HIT
+// is chapter 12's (bvh.h); C_STEP, there, is a pair of boxes and not how.step.
 real kd_cost(aabb cell, int axis, real split, int n_below, int n_above, kd_options how);
 
 // The bounds of the part of T in the cell, which they never leave: at least as large as exact

@@ -8,5 +8,5 @@ kd_order kd_children(real split, real O, real inverse, span in) {
     const real t = (split - O) * inverse;
     const span near = {in.t0, lesser(t * KD_LATER, in.t1)};
     const span far = {greater(t * KD_EARLIER, in.t0), in.t1};
-    return (kd_order){signbit(inverse) ? 1 : 0, near, far};
+    return (kd_order){inverse < 0, near, far};
 }

@@ -1,5 +1,5 @@
 // Wrong: the bonus is subtracted, not multiplied.
-// Expect: the bonus was added or subtracted, not multiplied
+// Expect: the bonus was subtracted, not multiplied
 #include "chapters/13-kd-tree/kd_tree.h"
 
 // With a and b the sides of a child that the plane leaves whole, and c the divided one.

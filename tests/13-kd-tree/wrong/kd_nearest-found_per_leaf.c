@@ -1,0 +1,46 @@
+// Wrong: a found for each leaf, of which the nearest is kept: the first one at the same t.
+// Expect: Between leaves, too, the smaller index counts
+#include "chapters/13-kd-tree/kd_leaf.h"
+
+// A child for later, and the part of the ray in it.
+typedef struct {
+    uint32_t node;
+    span in;
+} waiting;
+
+// A hit may lie behind the cell in whose leaf it is found: a nearer one may wait in the cells
+// between. So the nearest so far is kept, and the walk ends when what waits begins behind it.
+triangle_point kd_nearest(const kd_tree *k, ray r, real t_min, real t_max, int *index,
+                          effort *spent) {
+    const kd_ray q = kd_ray_of(r);
+    bvh_found found = bvh_nothing_found(t_max);
+    waiting stack[KD_DEPTH], now = {0, {0, 0}};
+    int top = 0;
+    if (spent) spent->steps++;
+    if (!kd_enter(k, &q, t_min, t_max, &now.in)) return found.best;
+    for (;;) {
+        const kd_node n = k->nodes[now.node];
+        const uint32_t axis = kd_kind(n);
+        if (axis == KD_LEAF) {
+            bvh_found f = bvh_nothing_found(t_max);
+            kd_leaf_nearest(k, n, r, t_min, &f, spent);
+            if (f.best.t < found.best.t) found = f;
+            do {
+                if (top == 0) {
+                    if (found.best.t != NO_HIT) *index = found.index;
+                    return found.best;
+                }
+                now = stack[--top];
+            } while (now.in.t0 > found.limit);
+            continue;
+        }
+        if (spent) spent->steps++;
+        const kd_order o = kd_children(n.split, q.O[axis], q.inverse[axis], now.in);
+        const uint32_t below = now.node + 1, above = kd_number(n);
+        const waiting near = {o.first ? above : below, o.near},
+                      far = {o.first ? below : above, o.far};
+        const bool in_near = near.in.t0 <= near.in.t1, in_far = far.in.t0 <= far.in.t1;
+        if (in_near && in_far) stack[top++] = far;
+        now = in_near ? near : far;
+    }
+}
