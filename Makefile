@@ -113,7 +113,8 @@ all_but  = $(filter-out $B/obj/$(SOLVED)/$1/$2.o,$(call solved,$1))
 # tests/04-sphere/wrong/nearest_root-larger.c answers the exercise nearest_root.
 exercise = $(firstword $(subst -, ,$(notdir $(basename $1))))
 exercises = $(notdir $(basename $(wildcard $(SOLVED)/$1/*.c)))
-variants = $(wildcard tests/$1/wrong/*.c tests/$1/right/*.c)
+# KIND=right: those alone.
+variants = $(wildcard $(foreach k,$(or $(KIND),wrong right),tests/$1/$k/*.c))
 
 # ---- commands --------------------------------------------------------------------
 .PHONY: all help test check texts progress measure format clean FORCE
