@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tests/14-octree-overlap.h"
 #include "tests/14-octree-walk.h"
 
 // ---- child_of ----------------------------------------------------------------------------
@@ -425,163 +426,6 @@ static void order_uneven(void) {
     }
 }
 
-// ---- cell_overlaps -----------------------------------------------------------------------
-
-#define BOXES "cell " VEC " to " VEC ", triangle " VEC ", " VEC ", " VEC
-#define ARG_BOXES(c, T) ARG(c.min), ARG(c.max), ARG(T.p1), ARG(T.p2), ARG(T.p3)
-
-typedef struct {
-    exact3 p[9];
-    int count;
-} polygon;
-
-static exact component(exact3 p, int axis) {
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
-// What of the polygon lies at or beyond `side` in the direction `sign` of the axis.
-static polygon cut_off(polygon a, int axis, int sign, exact side) {
-    polygon b = {.count = 0};
-    for (int i = 0; i < a.count; i++) {
-        const exact3 p = a.p[i], q = a.p[(i + 1) % a.count];
-        const exact s = sign * (component(p, axis) - side),
-                    t = sign * (component(q, axis) - side);
-        if (s >= 0) b.p[b.count++] = p;
-        if ((s < 0 && t > 0) || (s > 0 && t < 0)) {
-            const exact3 e = {q.x - p.x, q.y - p.y, q.z - p.z};
-            b.p[b.count++] = exact_along(p, s / (s - t), e);
-        }
-    }
-    return b;
-}
-
-// Is a part of T within the cell made smaller by `margin` on each side? By clipping.
-static bool surely_overlaps(triangle T, aabb cell, exact margin) {
-    polygon a = {{exact_of(T.p1), exact_of(T.p2), exact_of(T.p3)}, 3};
-    for (int axis = 0; axis < 3 && a.count; axis++) {
-        a = cut_off(a, axis, 1, (exact)along(cell.min, axis) + margin);
-        a = cut_off(a, axis, -1, (exact)along(cell.max, axis) - margin);
-    }
-    return a.count > 0;
-}
-
-static aabb cell_at(vec3 min, real side) {
-    return (aabb){min, add(min, (vec3){side, side, side})};
-}
-
-// Which axis parts them? The cell's own, by their boxes; or one of the ten others.
-static const char *hint_of_lost(triangle T, aabb cell, bool corner) {
-    const aabb box = aabb_of(T);
-    const bool within = aabb_area(aabb_join(box, cell)) <= aabb_area(cell);
-    if (within)
-        return "All of the triangle lies in the cell. Which of your axes parts them? Along an "
-               "axis a: the corners seen from the cell's middle, against its reach r to both "
-               "sides.";
-    if (corner)
-        return "One corner in the cell is enough. An axis parts them when all three corners "
-               "lie "
-               "beyond the same end of the cell's reach, not some of them.";
-    return "Corners outside do not mean apart: an edge may pass through the cell, or the cell "
-           "through the middle of the triangle. An axis parts them when all three corners lie "
-           "beyond the same end of the cell's reach.";
-}
-
-static void overlaps_generic(void) {
-    rng g = check_rng(1406);
-    int with_corner = 0, without = 0;
-    for (int i = 0; i < 20000; i++) {
-        const double size = pow(10, between(&g, -6, 9));
-        const real side = (real)(size * between(&g, 0.1, 2));
-        const aabb cell = cell_at(scale((real)size, in_cube(&g)), side);
-        const vec3 a = scale((real)(2 * size), in_cube(&g)),
-                   b = scale((real)(2 * size), in_cube(&g)),
-                   c = scale((real)(2 * size), in_cube(&g));
-        const triangle T = {a, b, c};
-        if (!surely_overlaps(T, cell, 1e-12 * size)) continue;
-        const bool corner = surely_overlaps((triangle){a, a, a}, cell, 0) ||
-                            surely_overlaps((triangle){b, b, b}, cell, 0) ||
-                            surely_overlaps((triangle){c, c, c}, cell, 0);
-        with_corner += corner, without += !corner;
-        given(BOXES "; %s", ARG_BOXES(cell, T),
-              corner ? "a corner lies in the cell" : "no corner lies in the cell");
-        const bool got = cell_overlaps(T, cell);
-        if (!got) hint_instead(hint_of_lost(T, cell, corner));
-        CHECK(got, "they overlap, by clipping in higher precision");
-    }
-    CHECK(with_corner > 100 && without > 100, "the test has pairs of both kinds");
-}
-
-static void overlaps_apart(void) {
-    rng g = check_rng(1407);
-    for (int i = 0; i < 3000; i++) {
-        const aabb cell = cell_at(in_cube(&g), (real)between(&g, 0.1, 1));
-        const int axis = random_below(&g, 3);
-        vec3 away = {0, 0, 0};
-        *(axis == 0 ? &away.x : axis == 1 ? &away.y : &away.z) = random_below(&g, 2) ? 4 : -4;
-        const vec3 a = in_cube(&g), b = in_cube(&g), c = in_cube(&g);
-        const triangle T = {add(a, away), add(b, away), add(c, away)};
-        given(BOXES, ARG_BOXES(cell, T));
-        hint_instead(
-            "Apart along one axis is apart: compare the boxes along x, y and z first.");
-        CHECK(!cell_overlaps(T, cell), "their boxes are far apart");
-    }
-}
-
-// A number with few digits, so that sums of them are exact.
-static real coarse(rng *g) {
-    return (real)(random_below(g, 8001) - 4000) / 4096;
-}
-static vec3 coarse_point(rng *g) {
-    const real x = coarse(g), y = coarse(g), z = coarse(g);
-    return (vec3){x, y, z};
-}
-
-// Flat in a face of the cell, from either side of it.
-static void overlaps_in_face(void) {
-    rng g = check_rng(1408);
-    for (int i = 0; i < 2000; i++) {
-        const real side = (real)(1 + random_below(&g, 4000)) / 4096;
-        const aabb cell = cell_at(coarse_point(&g), side);
-        const int axis = i % 3;
-        const vec3 inside = aabb_centre(cell);
-        triangle T = {inside, add(inside, coarse_point(&g)), add(inside, coarse_point(&g))};
-        const real face = along(i & 1 ? cell.min : cell.max, axis);
-        vec3 *const p[3] = {&T.p1, &T.p2, &T.p3};
-        for (int k = 0; k < 3; k++)
-            *(axis == 0 ? &p[k]->x : axis == 1 ? &p[k]->y : &p[k]->z) = face;
-        given(BOXES ": flat in a face", ARG_BOXES(cell, T));
-        hint_instead(
-            "Closed: what only touches is not apart. Apart along an axis needs < and >; "
-            "and a box or a reach without thickness still has points.");
-        CHECK(cell_overlaps(T, cell),
-              "a triangle in a face is in the cell, whose faces belong "
-              "to it: with <= in place of < neither neighbour loses it");
-    }
-}
-
-// An edge passes exactly through a corner of the cell, or a corner lies on it, and the rest is
-// outside.
-static void overlaps_touching(void) {
-    rng g = check_rng(1409);
-    for (int i = 0; i < 4000; i++) {
-        const vec3 far = i % 4 == 0 ? (vec3){1000, -2000, 500} : (vec3){0, 0, 0};
-        const aabb cell = cell_at(add(far, coarse_point(&g)), (real)0.25);
-        const vec3 c = cell.max;
-        const vec3 a = absolute(coarse_point(&g)), b = absolute(coarse_point(&g));
-        const vec3 u = {a.x, -a.y, i & 1 ? a.z : -a.z};
-        const triangle T = i & 2 ? (triangle){add(c, u), sub(c, u), add(c, b)}
-                                 : (triangle){c, add(c, b), add(c, a)};
-        given(BOXES ": %s", ARG_BOXES(cell, T),
-              i & 2 ? "an edge through a corner of the cell"
-                    : "a corner on a corner of the cell");
-        hint_instead(
-            "Touching counts. If the test against clipping passes, what is left is >= for "
-            ">, or rounding: compute in double, and make the cell a little larger, as "
-            "the text does. If it does not pass, begin there.");
-        CHECK(cell_overlaps(T, cell), "they touch in one point, and that counts");
-    }
-}
-
 // ---- worth_dividing ------------------------------------------------------------------------
 
 static const octree_options usual = {.leaf_size = 4, .depth = 12, .memory = 16};
@@ -987,6 +831,7 @@ int main(void) {
         {"cell_overlaps: against clipping in higher precision", overlaps_generic, overlap},
         {"cell_overlaps: flat in a face", overlaps_in_face, overlap},
         {"cell_overlaps: touching in one point", overlaps_touching, overlap},
+        {"cell_overlaps: apart, and told apart", overlaps_told_apart, overlap},
         {"worth_dividing: the limits", worth_limits, worth},
         {"worth_dividing: the cost", worth_cost,
          "A step for each child with something in it, a quarter of what is inside; against "

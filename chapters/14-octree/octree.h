@@ -79,7 +79,8 @@ int child_index(unsigned mask, int i);
 void order_children(vec3 d, int order[8]);
 
 // Do the triangle and the cell, both closed, have a point in common? Never false when they do,
-// also when they only touch; may be true when they nearly do. Finite corners.
+// also when they only touch. True when they do not only where the gap is less than a thousandth
+// of their size. Finite corners.
 bool cell_overlaps(triangle T, aabb cell);
 
 // Should a cell at `depth` with `count` triangles be divided, when inside[i] of them meet child
