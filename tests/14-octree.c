@@ -901,7 +901,8 @@ int main(void) {
         "Three reasons to stop; which of them ends the division of "
         "a heap of equal triangles?";
     static const char *const walk = "Is the right cell asked, and when is a hit final?";
-    static const char *const given_code = "Given code: did it change? Or an exercise above.";
+    static const char *const given_code = "Does a test of an exercise fail, too? Mend that "
+                                          "first. Else: given code, did it change?";
     static const test tests[] = {
         {"child_of: 2000 generic points", child_around, child},
         {"child_of: on the dividing planes", child_on_plane, child},
