@@ -147,6 +147,9 @@ static const habit14 spending[] = {
          "out whose w.t is beyond find_limit(&f) by now?",
      .not_popped = true,
      .not_pushed = true},
+    {.looks_like = "the farther children come first",
+     .hint = "The last one pushed is looked into first: push order[7] first and order[0] last.",
+     .order = FAR_FIRST},
     {.looks_like = "children from 0 to 7, whatever d is",
      .hint = "order_children(r.d, order) says which child is nearer: look into order[0] first.",
      .order = BY_RISING},
@@ -298,12 +301,12 @@ static void given_search(const search14 *s, const char *more) {
 }
 
 // What is printed should the walk crash: the tree has nodes, and `spent` is not NULL.
-#define SHOULD_IT_CRASH                                                                       \
-    "\nLikely, should it crash: a node's number that is none (of a child that is not "        \
-    "stored?), or "                                                                           \
-    "more cells wait than the stack has room for (OCTREE_STACK). Should it not end: no cell " \
-    "is "                                                                                     \
-    "taken off the stack (stack[--top], not stack[top - 1])."
+#define SHOULD_IT_CRASH                                                                      \
+    "\nLikely, should it crash: a node's number that is none (of a child that is not "       \
+    "stored?), "                                                                             \
+    "or more cells wait than the stack has room for (OCTREE_STACK).\nShould it not end: no " \
+    "cell "                                                                                  \
+    "is taken off the stack (stack[--top], not stack[top - 1])."
 
 static bool has_zero(vec3 d) {
     return d.x == 0 || d.y == 0 || d.z == 0;
