@@ -156,6 +156,28 @@ static void suspects_forgotten(void) {
     CHECK_REAL(5.55, 3.7, exactly());
 }
 
+static void slip(void) {
+    given("an answer that no number tells");
+    suspect_slip("a well-known slip");
+    CHECK_BOOL(1 > 2, true);
+}
+
+static void slip_of_claim(void) {
+    given("another such answer");
+    suspect_slip("a well-known slip");
+    CHECK(1 > 2, "a claim");
+}
+
+static void slip_and_print(void) {
+    printf("something to look at\n");
+    slip();
+}
+
+static void other_slip(void) {
+    suspect_slip("another slip");
+    slip_of_claim(); // forgets it
+}
+
 static void suspect_nearly(void) {
     suspect_value("what the cheap formula gives", 3.7001);
     CHECK_REAL(3.7001, 3.7, exactly());
@@ -226,6 +248,12 @@ int main(void) {
         {"suspect: vector", suspect_vector, NULL},
         {"suspect: nearly", suspect_nearly, NULL},
         {"suspect: forgotten", suspects_forgotten, NULL},
+        {"again: first", slip, "a hint"},
+        {"again: the same", slip_of_claim, "a hint"},
+        {"again: printed", slip_and_print, "a hint"},
+        {"again: another hint", slip, "another hint"},
+        {"again: forgotten", other_slip, "a hint"},
+        {"anew: in another exercise", slip, "a hint"},
         {"nearly: in double", in_double, NULL},
         {"statistics: not nearly", statistics, NULL},
         {"zero: expected", zero_expected, NULL},

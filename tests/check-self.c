@@ -155,6 +155,26 @@ static void block(void) {
     CHECK(strncmp(o->output, expected, strlen(expected)) == 0, "the rows stand aligned");
 }
 
+// What fails for the same reason is told once in each exercise, unless it has more to say.
+static void as_above(void) {
+    const outcome *o = run("", "again: ");
+    must_say(o, "      got        false\n"
+                "      looks like a well-known slip\n"
+                "      hint       a hint\n");
+    must_say(o, "FAIL  again: the same\n"
+                "      as above: looks like a well-known slip   (FULL=1 tells all)\n"
+                "FAIL  again: printed\n"
+                "      given      an answer that no number tells\n");
+    must_say(o, "FAIL  again: another hint\n"
+                "      given      an answer that no number tells\n");
+    must_say(o, "FAIL  again: forgotten\n"
+                "      as above: looks like a well-known slip   (FULL=1 tells all)\n");
+    must_say(run("", "a"), "FAIL  anew: in another exercise\n      given ");
+    must_not_say(run("FULL=1", "again: "), "as above");
+    must_not_say(run("TAP=1", "again: "), "as above");
+    must_not_say(file_of("JUNIT", "again: "), "as above");
+}
+
 static void printed(void) {
     const outcome *o = run("", "print: ");
     must_say(o, "      printed    line 1 ");
@@ -259,6 +279,7 @@ int main(void) {
         {"message: tell-tale vectors", vectors, NULL},
         {"message: other checks", others, NULL},
         {"message: suspects come first", suspects, NULL},
+        {"message: as above", as_above, NULL},
         {"message: what the test printed", printed, NULL},
         {"setting: T that matches nothing", no_match, NULL},
         {"setting: T that is an exercise's whole name", whole_name, NULL},

@@ -23,8 +23,8 @@ static const outcome *shell(const char *command) {
     static outcome o;
     char line[8192];
     snprintf(line, sizeof line,
-             "T= TAP= JUNIT= TALLY= QUIET= SOLUTIONS= TEST_SECONDS=1; "
-             "export T TAP JUNIT TALLY QUIET SOLUTIONS TEST_SECONDS; %s 2>&1",
+             "T= TAP= JUNIT= TALLY= QUIET= SOLUTIONS= FULL= TEST_SECONDS=1; "
+             "export T TAP JUNIT TALLY QUIET SOLUTIONS FULL TEST_SECONDS; %s 2>&1",
              command);
     FILE *f = popen(line, "r");
     if (!f) return &o;

@@ -21,7 +21,8 @@
 // exercise are not run and count as failed. Environment: T=text runs only the tests
 // of the exercise text, or else those whose name contains it, TAP=1 prints TAP,
 // JUNIT=file writes JUnit XML, TALLY=file appends "passed failed todo", TEST_SECONDS=n
-// changes the limit, SEED=n the random numbers.
+// changes the limit, SEED=n the random numbers. What fails like an earlier test of its
+// exercise is told in short; FULL=1 tells all.
 #ifndef TESTS_CHECK_H
 #define TESTS_CHECK_H
 
@@ -57,6 +58,10 @@ void suspect_factor(const char *what, double factor);
 
 // A hint in place of the test's own, until something else is given: about this failure.
 void hint_instead(const char *hint);
+
+// What a wrong answer to the next CHECK_BOOL or CHECK looks like, since no number tells; until
+// something else is given.
+void suspect_slip(const char *what);
 
 // How far got may lie from expected, and why that is fair.
 typedef struct {

@@ -147,7 +147,8 @@ double distance_in_double(vec3 a, vec3 b);
 
 // What was given last, "" when nothing was. Safe in a signal handler.
 const char *given_text(void);
-const char *hint_given(void); // NULL: the test's own
+const char *hint_given(void);     // NULL: the test's own
+const char *likeness_given(void); // NULL: none
 
 // How near a guess must be to count.
 typedef struct {

@@ -54,6 +54,46 @@ static void print_exercise(const summary *s, const result *r) {
         printf("   (%s)\n", r->message.chars);
 }
 
+// The row of a message with this label, to the end of its last line; length 0: there is none.
+static const char *row_of(const char *message, const char *label, size_t *length) {
+    const size_t width = strlen(label);
+    const char *row = message;
+    for (*length = 0; strncmp(row, label, width) != 0;) {
+        row += strcspn(row, "\n");
+        if (!*row++) return message;
+    }
+    const char *end = row + strcspn(row, "\n");
+    while (strncmp(end, "\n           ", 12) == 0) end += 1 + strcspn(end + 1, "\n");
+    *length = (size_t)(end - row);
+    return row;
+}
+
+static bool same_row(const result *a, const result *b, const char *label) {
+    size_t length, other;
+    const char *row = row_of(a->message.chars, label, &length);
+    const char *also = row_of(b->message.chars, label, &other);
+    return length == other && strncmp(row, also, length) == 0;
+}
+
+// Whether an earlier test of r's exercise has failed for the same reason, as far as is known.
+static bool is_as_above(const summary *s, const result *r) {
+    size_t like, printed;
+    row_of(r->message.chars, "looks like ", &like);
+    row_of(r->message.chars, "printed ", &printed);
+    if (runner_flag("FULL") || like == 0 || printed > 0) return false;
+    for (const result *b = s->results; b < r; b++)
+        if (b->verdict == FAILED && same_exercise(b->test, r->test) &&
+            same_row(b, r, "looks like ") && same_row(b, r, "hint "))
+            return true;
+    return false;
+}
+
+static void print_as_above(const result *r) {
+    size_t length;
+    const char *row = row_of(r->message.chars, "looks like ", &length);
+    printf("      as above: %.*s   (FULL=1 tells all)\n", (int)strcspn(row, "\n"), row);
+}
+
 static void print_for_people(const summary *s, const result *r) {
     if (r->verdict == PASSED && runner_flag("QUIET")) return;
     if (r->verdict == MISSING || r->skipped) {
@@ -62,7 +102,10 @@ static void print_for_people(const summary *s, const result *r) {
     }
     print_verdict(r->verdict);
     printf("%s\n", r->test->name);
-    print_lines("      ", r->message.chars);
+    if (r->verdict == FAILED && is_as_above(s, r))
+        print_as_above(r);
+    else
+        print_lines("      ", r->message.chars);
 }
 
 static void print_tap(const result *r, int number) {

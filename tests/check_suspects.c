@@ -22,6 +22,7 @@ static struct {
     suspect suspects[16];
     int count;
     const char *hint; // or NULL: the test's
+    const char *like; // or NULL
 } about;
 
 void given(const char *format, ...) {
@@ -32,11 +33,19 @@ void given(const char *format, ...) {
     for (char *minus; (minus = strstr(about.given, "-nan"));)
         memmove(minus, minus + 1, strlen(minus));
     about.count = 0;
-    about.hint = NULL;
+    about.hint = about.like = NULL;
 }
 
 void hint_instead(const char *hint) {
     about.hint = hint;
+}
+
+void suspect_slip(const char *what) {
+    about.like = what;
+}
+
+const char *likeness_given(void) {
+    return about.like;
 }
 
 const char *hint_given(void) {

@@ -165,6 +165,7 @@ void check_bool(const char *file, int line, const char *call, bool got, bool exp
     text t = message_about(call);
     text_row(&t, "expected", "%s", expected ? "true" : "false");
     text_row(&t, "got", "%s", got ? "true" : "false");
+    if (likeness_given()) text_row(&t, "looks like", "%s", likeness_given());
     test_failed(&t, file, line);
 }
 
@@ -190,5 +191,6 @@ void check_that(const char *file, int line, const char *text_of, bool holds,
     if (*given_text()) text_row(&t, "given", "%s", given_text());
     text_row(&t, "expected", "%s", claim);
     text_row(&t, "got", "not so: %s", text_of);
+    if (likeness_given()) text_row(&t, "looks like", "%s", likeness_given());
     test_failed(&t, file, line);
 }

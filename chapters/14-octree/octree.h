@@ -79,13 +79,14 @@ int child_index(unsigned mask, int i);
 void order_children(vec3 d, int order[8]);
 
 // Do the triangle and the cell, both closed, have a point in common? Never false when they do,
-// also when they only touch; may be true when they nearly do. Finite corners.
+// also when they only touch. True when they do not only where the gap is less than a thousandth
+// of their size. Finite corners.
 bool cell_overlaps(triangle T, aabb cell);
 
 // Should a cell at `depth` with `count` triangles be divided, when inside[i] of them meet child
-// i? Not with how.leaf_size or fewer, not at how.depth, and not where it would cost more: a ray
-// through the cell asks all children with something in them, C_STEP each, and passes through
-// each with probability 1/4, to be tested against what is inside, C_HIT each.
+// i? Not with how.leaf_size or fewer, not at how.depth or deeper, and only where it costs less than
+// testing all: a ray through the cell asks all children with something in them, C_STEP each, and
+// passes through each with probability 1/4, to be tested against what is inside, C_HIT each.
 bool worth_dividing(octree_options how, int depth, int count, const int inside[8]);
 
 // The nearest hit, as mesh_hit gives it: t_min < t < t_max, 0 <= t_min, of two equally near

@@ -4,6 +4,7 @@
 # the words after its "// Expect:", in the stage after "// Stage:" (all, if it says none); an empty
 # file is a todo, and one that does not compile is told so.
 build=$1 check=$2 course=$3
+export FULL=1 # every failure with all that is said of it
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 

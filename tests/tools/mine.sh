@@ -5,7 +5,7 @@ target=$1
 shift
 (
     sleep "${MINE_SECONDS:-60}" 2>/dev/null
-    echo "Still at it after ${MINE_SECONDS:-60} s. An endless loop in an exercise? Ctrl-C ends it; make $target tells which." >&2
+    echo "Still at it after ${MINE_SECONDS:-60} s. An endless loop in an exercise, or one that is not written yet? Ctrl-C ends it; make $target tells which." >&2
 ) >/dev/null &
 watch=$!
 trap 'kill "$watch" 2>/dev/null; exit 130' INT TERM

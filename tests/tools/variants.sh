@@ -13,7 +13,7 @@ judge() { # program: prints what is wrong with it, nothing when all is well
     exercise=${exercise%.c}
     case $source in
     */right/*) out=$("$1" 2>&1) ;;
-    *) out=$(T="$exercise:" "$1" 2>&1) ;;
+    *) out=$(FULL=1 T="$exercise:" "$1" 2>&1) ;;
     esac
     status=$?
     case $source in

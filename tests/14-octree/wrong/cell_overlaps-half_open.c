@@ -1,5 +1,5 @@
 // Wrong: cells without their upper faces: a triangle in such a face at the border is lost.
-// Expect: with <= in place of < neither neighbour loses it
+// Expect: Closed: what only touches is not apart
 #include "chapters/14-octree/octree.h"
 
 bool cell_overlaps(triangle T, aabb cell) {

@@ -1,6 +1,6 @@
 // Wrong: the sign as d / |d|, which is NaN for 0 and -0.
 // Expect: each child once
-// Expect: no division by a component
+// Expect: No division by a component
 #include "chapters/14-octree/octree.h"
 
 static int bit(real a) {

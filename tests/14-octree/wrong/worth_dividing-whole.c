@@ -1,5 +1,5 @@
 // Wrong: integer division: a quarter of 5 is 1.
-// Expect: 8 + 12 against 20
+// Expect: looks like a quarter of what is inside in whole numbers
 #include "chapters/14-octree/octree.h"
 
 bool worth_dividing(octree_options how, int depth, int count, const int inside[8]) {

@@ -1,5 +1,6 @@
-// Right, and slower to search: only the boxes are compared. Triangles are listed in cells that
-// they pass by.
+// Wrong: only the boxes are compared. Triangles are listed in cells that they pass by.
+// Expect: looks like only the boxes are compared
+// Expect: Still to come: the triangle's normal
 #include "chapters/14-octree/octree.h"
 
 bool cell_overlaps(triangle T, aabb cell) {
