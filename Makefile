@@ -276,7 +276,7 @@ slides: $B/slides-figures slides/node_modules/.package-lock.json
 	@sh slides/build.sh build/slides
 	@echo "The decks: build/slides/en.html, en.pdf, sv.html, sv.pdf"
 check-slides: slides
-	@node slides/check.mjs build/slides
+	@CHROME_PATH="$${CHROME_PATH:-$$(command -v chromium || command -v google-chrome)}" node slides/check.mjs build/slides
 
 # ---- for those who work on the course ------------------------------------------------
 SOURCES = $(wildcard slides/figures/*.[ch] common/*.[ch] tests/*.[ch] tests/tools/*.c tests/homework/*.[ch] tests/*/*/*.c chapters/*/*.[ch] exercises/*/*.c solutions/*/*.[ch])

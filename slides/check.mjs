@@ -1,6 +1,6 @@
 // check.mjs OUT: do both decks say the same, does no slide overflow, is no figure missing, do the
 // notes fit into two halves of 45 minutes, is README.md's plan the notes'?
-// OUT holds the built decks. Prints what is wrong, one line each, and exits with 1.
+// OUT holds the built decks; CHROME_PATH is the browser. Prints what is wrong, one line each, and exits with 1.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -99,7 +99,7 @@ for (const total of [first, second])
 // ---- what the browser shows ---------------------------------------------------------------
 
 const browser = await puppeteer.launch({
-  executablePath: process.env.CHROME_PATH || '/usr/bin/chromium',
+  executablePath: process.env.CHROME_PATH,
   args: ['--no-sandbox', '--allow-file-access-from-files'],
 });
 let count = 0;
