@@ -14,7 +14,8 @@
 #: make homework    your own ray tracer, exercises/homework/, checked stage by stage
 #:                  T=depth: one stage;  TEST_SECONDS=600: more than 120 s for a picture
 #: make test        every chapter's tests, on the solutions;  TAP=1;  JUNIT=file
-#: make measure-04  error and cost of the chapter's variants: a table, CSV, plots
+#: make measure-04  error and cost of the chapter's variants: a table, CSV, plots;  N=3: of each
+#:                  cost the best of three runs
 #: make measure     the same for all, and one page: build/measure/index.html
 #: make slides      both decks, HTML and PDF, build/slides/: needs npm and chromium
 #: make clean       remove build/
@@ -166,7 +167,8 @@ hint-$2:
 
 build/measure/$1.$(REAL).csv: $B/measure/$1 FORCE
 	@mkdir -p $$(@D)
-	$B/measure/$1 > $$@
+	sh common/best.sh $$(or $$N,1) $B/measure/$1 > $$@.new
+	@mv $$@.new $$@
 measure-$2:
 	@$$(MAKE) --no-print-directory TIMED=1 REAL=float build/measure/$1.float.csv
 	@$$(MAKE) --no-print-directory TIMED=1 REAL=double build/measure/$1.double.csv
