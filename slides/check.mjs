@@ -101,11 +101,18 @@ for (const total of [first, second])
 const browser = await puppeteer.launch({
   executablePath: process.env.CHROME_PATH,
   args: ['--no-sandbox', '--allow-file-access-from-files'],
+  timeout: 120000, // milliseconds: a busy machine starts it slowly
 });
 let count = 0;
 for (const language of languages) {
   const page = await browser.newPage();
-  await page.goto(pathToFileURL(join(out, `${language}.html`)).href, { waitUntil: 'networkidle0' });
+  await page.goto(pathToFileURL(join(out, `${language}.html`)).href, { waitUntil: 'networkidle0', timeout: 120000 });
+  await page.evaluate(async () => { // what has not come yet has no size
+    await document.fonts.ready;
+    const come = (img) => new Promise((done) => (img.complete ? done() : (img.onload = img.onerror = done)));
+    await Promise.all([...document.images].map(come));
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  });
   const slides = await page.$$eval('section[id]', (sections) =>
     sections.map((s) => {
       const box = s.getBoundingClientRect(), scale = box.height / s.offsetHeight;
