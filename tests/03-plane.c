@@ -164,6 +164,15 @@ static void not_a_number(void) {
 
 // The surface passes through the box p ± error: judged in higher precision, and with
 // n as it was given, not as it was rounded to unit length.
+static void check_bound(plane P, ray r, hit h) {
+    const exact off = exact_dot(exact_sub(h.p, P.x), exact_of(P.n));
+    given_plane(P, r);
+    CHECK_AT_MOST(fabs((double)off), (1 + 8 * REAL_EPSILON) * dot(h.error, absolute(P.n)),
+                  "hit.error bounds |(p - x)·n|");
+    CHECK_AT_MOST(fabs(length(h.n) - 1), 2 * REAL_EPSILON, "n is a unit vector");
+    CHECK_BOOL(h.front, dot(r.d, P.n) < 0);
+}
+
 static void error_bound(void) {
     rng g = rng_seed(3, 5);
     for (int i = 0; i < 8000; i++) {
@@ -178,13 +187,90 @@ static void error_bound(void) {
         }
         const real t = plane_hit(P, r, 0, NO_HIT);
         if (t == NO_HIT) continue;
-        const hit h = plane_surface(P, r, t);
-        const exact off = exact_dot(exact_sub(h.p, P.x), exact_of(P.n));
-        given_plane(P, r);
-        CHECK_AT_MOST(fabs((double)off), (1 + 8 * REAL_EPSILON) * dot(h.error, absolute(P.n)),
-                      "hit.error bounds |(p - x)·n|");
-        CHECK_AT_MOST(fabs(length(h.n) - 1), 2 * REAL_EPSILON, "n is a unit vector");
-        CHECK_BOOL(h.front, dot(r.d, P.n) < 0);
+        check_bound(P, r, plane_surface(P, r, t));
+    }
+}
+
+// ---- equations -------------------------------------------------------------------
+
+// As double_inside: here D and n·O are what is subtracted.
+static allowance by_equation(plane P, ray r, double D) {
+    const wide3 n = widen(P.n), O = widen(r.O);
+    const double on = fabs(n.x * O.x) + fabs(n.y * O.y) + fabs(n.z * O.z);
+    const double above = (fabs(D) + on) / fabs(D - wide_dot(n, O));
+    const double along = cancelled(widen(r.d), n);
+    return relative_to(0.51 * REAL_EPSILON + 3 * DBL_EPSILON * (above + along),
+                       "double inside, one rounding out");
+}
+
+// x may lie far from all else, anywhere in the plane: `along` says how far.
+static void equations_at(real size, real from_origin, real along, rng *g) {
+    plane P[EQUATIONS];
+    ray r;
+    const vec3 there = scale(from_origin, in_cube(g));
+    const int count = 1 + (int)(rng_bits(g) % EQUATIONS);
+    for (int k = 0; k < count; k++) {
+        generic(g, size, 1, &P[k], &r);
+        const vec3 a = in_cube(g), n = normalize(P[k].n);
+        P[k].x = add(add(P[k].x, there), scale(along, sub(a, scale(dot(a, n), n))));
+    }
+    r.O = add(r.O, there);
+    const plane_equations E = plane_equations_of(P, count);
+    real t[EQUATIONS];
+    equations_hit(&E, r, -NO_HIT, t);
+    for (int k = 0; k < EQUATIONS; k++) {
+        if (k >= count) {
+            given("%d planes, and of the equations that are left over the one in place %d",
+                  count, k);
+            CHECK_REAL(t[k], NO_HIT, exactly());
+            continue;
+        }
+        const exact3 n = exact_of(P[k].n);
+        const exact D = exact_dot(exact_of(P[k].x), n);
+        given_plane(P[k], r);
+        const double distance_term = E.D[k];
+        CHECK_REAL(distance_term, D, relative_to(0.501 * DBL_EPSILON, "one rounding"));
+        CHECK_REAL(t[k], plane_t(P[k], r), by_equation(P[k], r, E.D[k]));
+        if (t[k] > 0 && t[k] < REAL_MAX)
+            check_bound(P[k], r, equations_surface(&E, k, r, t[k]));
+    }
+}
+
+static void equations_generic(void) {
+    rng g = rng_seed(3, 11);
+    for (int i = 0; i < 2000; i++) equations_at((real)pow(10, i % 9 - 2), 0, 0, &g);
+}
+
+static void equations_far(void) {
+    rng g = rng_seed(3, 12);
+    for (int i = 0; i < 2000; i++) {
+        const real far = (real)pow(10, i % 7);
+        equations_at(1, i & 1 ? far : 0, i & 2 ? far : 0, &g);
+    }
+}
+
+static void equations_miss(void) {
+    const plane P[] = {{{0, 1, 0}, {0, 3, 0}}, {{0, 2, 0}, {0, -2, 0}}};
+    const plane_equations E = plane_equations_of(P, 2);
+    const struct {
+        const char *what;
+        ray r;
+        real t_min, first, second;
+    } cases[] = {
+        {"down from between two floors", {{5, 1.5f, 7}, {0, -1, 0}}, 0, 0.5f, NO_HIT},
+        {"the same, when t = -0.5 counts", {{5, 1.5f, 7}, {0, -1, 0}}, -1, 0.5f, -0.5f},
+        {"the same, t_min = 0.5: excluded", {{5, 1.5f, 7}, {0, -1, 0}}, 0.5f, NO_HIT, NO_HIT},
+        {"parallel to both", {{5, 1.5f, 7}, {1, 0, 2}}, -NO_HIT, NO_HIT, NO_HIT},
+        {"within the first", {{5, 1, 7}, {1, 0, 2}}, -NO_HIT, NO_HIT, NO_HIT},
+        {"d = 0", {{5, 1.5f, 7}, {0, 0, 0}}, -NO_HIT, NO_HIT, NO_HIT},
+        {"a d that is no number", {{5, 1.5f, 7}, {0, (real)NAN, 0}}, 0, NO_HIT, NO_HIT},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        real t[EQUATIONS];
+        equations_hit(&E, cases[i].r, cases[i].t_min, t);
+        given("planes y = 1 and y = 2, a ray %s", cases[i].what);
+        CHECK_REAL(t[0], cases[i].first, exactly());
+        CHECK_REAL(t[1], cases[i].second, exactly());
     }
 }
 
@@ -363,6 +449,10 @@ int main(void) {
         {"plane_hit: NaN is no hit", not_a_number,
          "Write t > t_min && t < t_max: NaN fails both."},
         {"plane_surface: the error bound holds", error_bound, solve},
+        {"equations_hit: generic planes", equations_generic, "Given code: did it change?"},
+        {"equations_hit: far away, and x far from the ray", equations_far,
+         "Given code: did it change?"},
+        {"equations_hit: misses", equations_miss, "Given code: did it change?"},
         {"disc_hit: 4000 generic discs", disc_generic, "How far is O + t d from the centre?"},
         {"disc_hit: seen from far away", disc_far,
          "The t of plane_hit is rounded to real: far away its point is off by more than you "

@@ -646,20 +646,30 @@ static void spheres_at(double size, double distance, bool inside) {
     }
 }
 
-static void planes_at(double size, double distance) {
+// t of the plane, by its equation when there is one.
+static real meet_plane(plane P, const plane_equations *E, ray r) {
+    real t[EQUATIONS];
+    if (!E) return plane_hit(P, r, 0, NO_HIT);
+    equations_hit(E, r, 0, t);
+    return t[0];
+}
+
+static void planes_at(double size, double distance, bool by_equation) {
     rng g = rng_seed(6, 21);
     for (int i = 0; i < PER_SETTING; i++) {
         const vec3 there = scale((real)(size * distance), generic_unit(&g));
         const plane P = {add(there, scale((real)size, in_cube(&g))), in_cube(&g)};
         const ray r = {add(there, scale((real)size, in_cube(&g))), in_cube(&g)};
-        const real t = plane_hit(P, r, 0, NO_HIT);
+        const plane_equations known = plane_equations_of(&P, 1),
+                              *E = by_equation ? &known : NULL;
+        const real t = meet_plane(P, E, r);
         if (t == NO_HIT || t > 1e4f * (real)size) continue;
-        const hit h = plane_surface(P, r, t);
+        const hit h = E ? equations_surface(E, 0, r, t) : plane_surface(P, r, t);
         const double side = i % 2 ? 1 : -1;
         const vec3 d = leave(h, side, &g), q = offset_origin(h.p, h.error, h.n, d);
         check_side("a plane", h, d, q, plane_side(P, q), side);
         report("a plane", h, d, q);
-        CHECK_REAL(plane_hit(P, (ray){q, d}, 0, NO_HIT), NO_HIT, exactly());
+        CHECK_REAL(meet_plane(P, E, (ray){q, d}), NO_HIT, exactly());
     }
 }
 
@@ -698,7 +708,12 @@ static void sphere_starts_inside(void) {
 
 static void plane_starts(void) {
     for (int i = 0; i < COUNT(sizes); i++)
-        for (int k = 0; k < COUNT(distances); k++) planes_at(sizes[i], distances[k]);
+        for (int k = 0; k < COUNT(distances); k++) planes_at(sizes[i], distances[k], false);
+}
+
+static void equation_starts(void) {
+    for (int i = 0; i < COUNT(sizes); i++)
+        for (int k = 0; k < COUNT(distances); k++) planes_at(sizes[i], distances[k], true);
 }
 
 static void triangle_starts(void) {
@@ -784,7 +799,16 @@ static void nearest_of_all(void) {
     const sphere S[2] = {{{0, 0, -5}, 1}, {{(real)0.6, (real)0.4, -6}, (real)1.5}};
     const plane P[2] = {{{0, -1, 0}, {(real)0.1, 1, (real)0.2}}, {{0, 0, -8}, {0, 0, 2}}};
     const material m[5] = {{0}};
-    const scene sc = {S, m, 2, P, m + 2, 2, &body, m + 4, 1, white_sky, START_BOUND};
+    const scene sc = {.spheres = S,
+                      .sphere_materials = m,
+                      .sphere_count = 2,
+                      .planes = P,
+                      .plane_materials = m + 2,
+                      .plane_count = 2,
+                      .meshes = &body,
+                      .mesh_materials = m + 4,
+                      .mesh_count = 1,
+                      .sky = white_sky};
     for (int i = 0; i < 3000; i++) {
         const ray r = {in_cube(&g), add((vec3){0, 0, -2}, in_cube(&g))};
         const real t_min = between(&g, 0, 2), t_max = between(&g, 2, 9);
@@ -803,6 +827,40 @@ static void nearest_of_all(void) {
         CHECK((t[first] == NO_HIT) == (found == NULL), "a miss leaves *m untouched");
         if (found) CHECK_INT(found - m, first);
     }
+}
+
+// Up to 20 planes, so that their equations fill several blocks, and a sphere.
+static void prepared(void) {
+    enum { MOST = 20 };
+    rng g = rng_seed(6, 28);
+    int hits = 0;
+    for (int i = 0; i < 6000; i++) {
+        plane P[MOST];
+        const int count = i % (MOST + 1);
+        for (int k = 0; k < count; k++) P[k] = (plane){scale(4, in_cube(&g)), in_cube(&g)};
+        const sphere S = {in_cube(&g), (real)0.5};
+        const scene plain = {
+            .spheres = &S, .sphere_count = 1, .planes = P, .plane_count = count};
+        scene ready = scene_prepare(plain);
+        const ray r = {scale(3, in_cube(&g)), in_cube(&g)};
+        const real t_min = between(&g, 0, 2), t_max = i % 2 ? between(&g, 2, 9) : NO_HIT;
+        int body = -1, same = -1;
+        const hit want = scene_nearest(&plain, r, t_min, t_max, &body);
+        const hit h = scene_nearest(&ready, r, t_min, t_max, &same);
+        given("%d planes and a sphere; ray O = " VEC ", d = " VEC ", t from %.3g to %.3g",
+              count, ARG(r.O), ARG(r.d), (double)t_min, (double)t_max);
+        CHECK_REAL(h.t, want.t,
+                   relative_to(1e4 * DBL_EPSILON + REAL_EPSILON,
+                               "a rounding, and what cancels in double"));
+        CHECK_INT(same, body);
+        bool blocked = false;
+        for (int k = 0; k < count; k++) blocked |= plane_hit(P[k], r, t_min, t_max) != NO_HIT;
+        CHECK_BOOL(planes_block(&plain, r, t_min, t_max), blocked);
+        CHECK_BOOL(planes_block(&ready, r, t_min, t_max), blocked);
+        hits += body > 0;
+        scene_release(&ready);
+    }
+    CHECK(hits > 2000, "the test itself: enough of its rays hit a plane");
 }
 
 // From both sides of a surface: the next ray stays on the side that the ray came from.
@@ -876,10 +934,12 @@ int main(void) {
         {"offset_origin: spheres, from outside", sphere_starts, away},
         {"offset_origin: spheres, from inside", sphere_starts_inside, away},
         {"offset_origin: planes", plane_starts, away},
+        {"offset_origin: planes by their equations", equation_starts, away},
         {"offset_origin: triangles", triangle_starts, away},
         {"unit_vector: chi² over the sphere", unit_vectors, "Given code: did it change?"},
         {"trace_slide: the slide's two slips", slide_slips, "Given code: did it change?"},
         {"scene_hit: the nearest of everything", nearest_of_all, "Given code: did it change?"},
+        {"scene_prepare: nothing changes", prepared, "Given code: did it change?"},
         {"bounce: stays on its side", either_side, "n turned towards the ray."},
     };
     return run_tests("06-bounce", tests, COUNT(tests));

@@ -173,9 +173,8 @@ static void constant_sky(void) {
     rng g = check_rng(101);
     const sphere S = {in_cube(&g), (real)1.5};
     const surface skin = {LAMBERT, {(real)0.6, (real)0.6, (real)0.6}, black, 0};
-    lit_room sc = {.bodies = {.spheres = &S, .sphere_count = 1, .sky = sky_of_2},
-                   .surfaces = &skin};
-    sc.lamps = lamps_find(&sc.bodies, &skin);
+    const scene bodies = {.spheres = &S, .sphere_count = 1, .sky = sky_of_2};
+    lit_room sc = lit(bodies, &skin, BY_UNIFORM);
     for (int i = 0; i < COUNT(strategies); i++) {
         sc.strategy = strategies[i];
         running L = {0}, square = {0};
@@ -199,7 +198,7 @@ static void constant_sky(void) {
         else
             CHECK_REAL(square.mean, 0, absolute_of(1e-12, "every path finds exactly rho L"));
     }
-    lamps_free(&sc.lamps);
+    lit_free(&sc);
 }
 
 // The three closed forms, by whole paths.
@@ -211,10 +210,9 @@ static void lamp_variance(void) {
     const sphere S = sphere_above(x, n, 1, 3, 0);
     const plane floor_plane = {x, n};
     const surface surfaces[] = {bright, white_wall};
-    lit_room sc = {
-        .bodies = {.spheres = &S, .sphere_count = 1, .planes = &floor_plane, .plane_count = 1},
-        .surfaces = surfaces};
-    sc.lamps = lamps_find(&sc.bodies, surfaces);
+    const scene bodies = {
+        .spheres = &S, .sphere_count = 1, .planes = &floor_plane, .plane_count = 1};
+    lit_room sc = lit(bodies, surfaces, BY_UNIFORM);
     const vec3 O = add(x, add(scale(2, perpendicular(n)), n));
     for (int i = 0; i < COUNT(expected); i++) {
         sc.strategy = strategies[i];
@@ -232,7 +230,7 @@ static void lamp_variance(void) {
               strategy_names[i]);
         CHECK_MEAN("the variance", &square, expected[i], 1e-10);
     }
-    lamps_free(&sc.lamps);
+    lit_free(&sc);
 }
 
 // A lamp of radius 1 at a distance of a million, straight above: rho (r/d)² L.
@@ -242,11 +240,9 @@ static void tiny_lamp(void) {
     const sphere S = sphere_above(x, n, 1, 1e6, 0);
     const plane floor_plane = {x, n};
     const surface surfaces[] = {bright, white_wall};
-    lit_room sc = {
-        .bodies = {.spheres = &S, .sphere_count = 1, .planes = &floor_plane, .plane_count = 1},
-        .surfaces = surfaces,
-        .strategy = BY_LAMPS};
-    sc.lamps = lamps_find(&sc.bodies, surfaces);
+    const scene bodies = {
+        .spheres = &S, .sphere_count = 1, .planes = &floor_plane, .plane_count = 1};
+    lit_room sc = lit(bodies, surfaces, BY_LAMPS);
     const vec3 O = add(x, add(scale(2, perpendicular(n)), n));
     running L = {0};
     for (int k = 0; k < 5000; k++)
@@ -256,7 +252,7 @@ static void tiny_lamp(void) {
         "of rho (r/d)² L");
     const double mean_light = L.mean;
     CHECK_REAL(mean_light, 1, absolute_of(0.002, "the end of a shadow ray is rounded too"));
-    lamps_free(&sc.lamps);
+    lit_free(&sc);
 }
 
 // All strategies must find the same light; BY_POWER, the least noisy, is what the
@@ -289,11 +285,10 @@ static void box_means(void) {
     for (int i = 0; i < BOX_BODIES; i++)
         surfaces[i] = (surface){LAMBERT, box_surfaces[i].albedo, box_surfaces[i].emittance, 1};
     surfaces[BALL_RIGHT].lobe = GGX, surfaces[BALL_RIGHT].alpha = (real)0.3;
-    lit_room sc = {.bodies = box_bodies, .surfaces = surfaces};
-    sc.lamps = lamps_find(&sc.bodies, surfaces);
+    lit_room sc = lit(box_bodies, surfaces, BY_UNIFORM);
     const camera cam = box_camera(100, 80);
     same_means(&sc, &cam, 100, 80, 25000, 5, 110);
-    lamps_free(&sc.lamps);
+    lit_free(&sc);
 }
 
 static color dim_sky(vec3 d) {
@@ -317,19 +312,18 @@ static void sphere_means(void) {
                                 white_wall,
                                 {GGX, {(real)0.3, (real)0.3, (real)0.3}, black, (real)0.6},
                                 {LAMBERT, {(real)0.5, (real)0.5, (real)0.5}, {3, 3, 3}, 0}};
-    lit_room sc = {.bodies = {.spheres = balls,
-                              .sphere_count = COUNT(balls),
-                              .planes = &floor_plane,
-                              .plane_count = 1,
-                              .meshes = &roof,
-                              .mesh_count = 1,
-                              .sky = dim_sky},
-                   .surfaces = surfaces};
-    sc.lamps = lamps_find(&sc.bodies, surfaces);
+    const scene bodies = {.spheres = balls,
+                          .sphere_count = COUNT(balls),
+                          .planes = &floor_plane,
+                          .plane_count = 1,
+                          .meshes = &roof,
+                          .mesh_count = 1,
+                          .sky = dim_sky};
+    lit_room sc = lit(bodies, surfaces, BY_UNIFORM);
     const camera cam =
         camera_look_at((vec3){0, 1, 1}, (vec3){0, (real)0.5, -5}, (vec3){0, 1, 0}, 60, 100, 80);
     same_means(&sc, &cam, 100, 80, 40000, 4, 120);
-    lamps_free(&sc.lamps);
+    lit_free(&sc);
 }
 
 // Rooms of anything, in which light may be hard to find but never negative or no number.
@@ -357,16 +351,14 @@ static void clean_light(void) {
             walls[k].x = scale(3, in_cube(&g)), walls[k].n = test_normal(k ? i : 9, &g);
         const int which[][3] = {{0, 1, 2}, {3, 4, 5}};
         const mesh m = {.points = corners, .corners = which, .count = 2};
-        lit_room sc = {.bodies = {.spheres = balls,
-                                  .sphere_count = 3,
-                                  .planes = walls,
-                                  .plane_count = 2,
-                                  .meshes = &m,
-                                  .mesh_count = 1,
-                                  .sky = i % 2 ? dim_sky : NULL},
-                       .surfaces = surfaces,
-                       .strategy = strategies[i % COUNT(strategies)]};
-        sc.lamps = lamps_find(&sc.bodies, surfaces);
+        const scene bodies = {.spheres = balls,
+                              .sphere_count = 3,
+                              .planes = walls,
+                              .plane_count = 2,
+                              .meshes = &m,
+                              .mesh_count = 1,
+                              .sky = i % 2 ? dim_sky : NULL};
+        lit_room sc = lit(bodies, surfaces, strategies[i % COUNT(strategies)]);
         for (int k = 0; k < 100; k++) {
             const vec3 O = scale(2, in_cube(&g)), d = in_cube(&g);
             const ray r = {O, d};
@@ -377,7 +369,7 @@ static void clean_light(void) {
             CHECK(is_finite(L), "finite, no NaN");
             CHECK(L.x >= 0 && L.y >= 0 && L.z >= 0, "light is never negative");
         }
-        lamps_free(&sc.lamps);
+        lit_free(&sc);
     }
 }
 

@@ -1202,14 +1202,12 @@ static const glass_room *workshop_open(workshop *w, color (*sky)(vec3 d)) {
                           .sky = sky,
                           .start = START_BOUND};
     const media start = w->room.start;
-    w->room = (glass_room){{bodies, w->surfaces, lamps_find(&bodies, w->surfaces), BY_BALANCE},
-                           w->substances,
-                           start};
+    w->room = (glass_room){lit(bodies, w->surfaces, BY_BALANCE), w->substances, start};
     return &w->room;
 }
 
 static void workshop_close(workshop *w) {
-    lamps_free(&w->room.room.lamps);
+    lit_free(&w->room.room);
 }
 
 static substance clear_glass(double n, int priority) {
@@ -1585,8 +1583,7 @@ static void from_under_water(void) {
     const surface nothing = {.lobe = LAMBERT};
     const substance water = clear_glass(n, 0);
     const scene bodies = {.planes = &surface_of_water, .plane_count = 1, .sky = sky_above};
-    glass_room sc = {
-        {bodies, &nothing, lamps_find(&bodies, &nothing), BY_BALANCE}, &water, {1, {0}}};
+    glass_room sc = {lit(bodies, &nothing, BY_BALANCE), &water, {1, {0}}};
     for (int i = 0; i < COUNT(cosines); i++) {
         const double index = (double)water.n, c = cosines[i];
         const vec3 d = arriving(neg(up), across(up, &g), c);
@@ -1598,7 +1595,7 @@ static void from_under_water(void) {
         check_mean("the sky of 1 from under water, and no light from below: n² (1 - R)",
                    &L.of[0], window_light(index, c));
     }
-    lamps_free(&sc.room.lamps);
+    lit_free(&sc.room);
 }
 
 // All the light that comes down: what came in from above.

@@ -8,6 +8,7 @@ enum { CASES = 4096, ROUNDS = 9 };
 typedef struct {
     plane P[CASES];
     ray r[CASES];
+    plane_equations E[CASES / EQUATIONS]; // of the planes
 } cases;
 
 // ---- the variants ------------------------------------------------------------
@@ -34,6 +35,14 @@ static real threshold(plane P, ray r, real t_min, real t_max) {
     return accept(dot(sub(P.x, r.O), P.n) / along, t_min, t_max);
 }
 
+// The same in double.
+static real equation(plane P, ray r, real t_min, real t_max) {
+    const plane_equations E = plane_equations_of(&P, 1);
+    real t[EQUATIONS];
+    equations_hit(&E, r, t_min, t);
+    return accept(t[0], t_min, t_max);
+}
+
 #define TIMED(f)                                                                     \
     static void run_##f(void *data) {                                                \
         const cases *c = data;                                                       \
@@ -46,6 +55,18 @@ TIMED(stored_distance)
 TIMED(threshold)
 TIMED(plane_hit)
 
+// One ray for every EQUATIONS planes, as in a scene.
+static void run_equations(void *data) {
+    const cases *c = data;
+    real sum = 0;
+    for (int i = 0; i < CASES; i += EQUATIONS) {
+        real t[EQUATIONS];
+        equations_hit(&c->E[i / EQUATIONS], c->r[i], -NO_HIT, t);
+        for (int k = 0; k < EQUATIONS; k++) sum += t[k];
+    }
+    keep(sum);
+}
+
 typedef struct {
     const char *name;
     real (*hit)(plane P, ray r, real t_min, real t_max);
@@ -57,12 +78,14 @@ static const variant variants[] = {
     {"stored D", stored_distance},
     {"|d.n| < 1e-6 misses", threshold},
     {"plane_hit (double inside)", plane_hit},
+    {"equations_hit (stored D, in double)", equation},
 };
 static const timed timings[] = {
     {"slide", run_slide},
     {"stored D", run_stored_distance},
     {"|d.n| < 1e-6 misses", run_threshold},
     {"plane_hit (double inside)", run_plane_hit},
+    {"equations_hit (stored D, in double)", run_equations},
 };
 
 // ---- the cases ----------------------------------------------------------------
@@ -78,6 +101,8 @@ static void fill(cases *c, vec3 centre, real size, real slope, real speed) {
         c->r[i] = (ray){add(centre, scale(size, in_cube(&g))),
                         scale(speed, add(along, scale(slope, unit)))};
     }
+    for (int i = 0; i < CASES; i += EQUATIONS)
+        c->E[i / EQUATIONS] = plane_equations_of(&c->P[i], EQUATIONS);
 }
 
 static exact reference(plane P, ray r) {

@@ -10,14 +10,69 @@ hit hit_at(ray r, real t, vec3 n) {
                  .front = dot(r.d, n) < 0};
 }
 
+static vec3 unit_normal(vec3 n) {
+    return dot(n, n) == 1 ? n : normalize(n);
+}
+
 // plane_hit's two dot products in double: nothing beside float's roundings, all that
 // counts where real is double.
 hit plane_surface(plane P, ray r, real t) {
-    hit h = hit_at(r, t, dot(P.n, P.n) == 1 ? P.n : normalize(P.n));
+    hit h = hit_at(r, t, unit_normal(P.n));
     const vec3 summed = add(absolute(sub(P.x, r.O)), absolute(scale(t, r.d)));
     h.error = add(h.error, scale((real)(4 * DBL_EPSILON), summed));
     return h;
 }
+
+// ---- many rays, one plane --------------------------------------------------------
+
+// a·b as if summed with twice the digits, then rounded once: Dot2. What each product and
+// each sum loses is caught and added at the end.
+// Source: Ogita, Rump and Oishi 2005, Accurate sum and dot product, algorithm 5.3.
+static double dot_twice(wide3 a, wide3 b) {
+    const double p[3] = {a.x * b.x, a.y * b.y, a.z * b.z};
+    double lost = fma(a.x, b.x, -p[0]) + fma(a.y, b.y, -p[1]) + fma(a.z, b.z, -p[2]);
+    double sum = p[0];
+    for (int i = 1; i < 3; i++) {
+        const double next = sum + p[i], added = next - sum;
+        lost += (sum - (next - added)) + (p[i] - added);
+        sum = next;
+    }
+    return sum + lost;
+}
+
+plane_equations plane_equations_of(const plane *planes, int count) {
+    plane_equations E = {.x = {0}};
+    for (int i = 0; i < count && i < EQUATIONS; i++) {
+        const wide3 n = widen(planes[i].n);
+        E.x[i] = n.x, E.y[i] = n.y, E.z[i] = n.z;
+        E.D[i] = dot_twice(n, widen(planes[i].x));
+        E.unit[i] = unit_normal(planes[i].n);
+    }
+    return E;
+}
+
+// 0 = 0 gives 0/0, which is not a number and lies in no interval.
+void equations_hit(const plane_equations *E, ray r, real t_min, real t[EQUATIONS]) {
+    const wide3 O = widen(r.O), d = widen(r.d);
+#pragma omp simd
+    for (int i = 0; i < EQUATIONS; i++) {
+        const double above = E->D[i] - (E->x[i] * O.x + E->y[i] * O.y + E->z[i] * O.z);
+        const double along = E->x[i] * d.x + E->y[i] * d.y + E->z[i] * d.z;
+        const real at = (real)(above / along);
+        t[i] = at > t_min ? at : NO_HIT;
+    }
+}
+
+hit equations_surface(const plane_equations *E, int i, ray r, real t) {
+    hit h = hit_at(r, t, E->unit[i]);
+    // Besides hit_at's, in units of DBL_EPSILON / 2, times |n_i|(|O_i| + |t d_i|), summed: D 1,
+    // n·O and the difference 4, n·d and the quotient 5, and, as the next ray must find itself on
+    // the side that it starts on, D - n·O once more 5: 15, nothing beside a float's roundings.
+    h.error = scale((real)(1 + 8 * DBL_EPSILON / rounding_bound(4)), h.error);
+    return h;
+}
+
+// ---- a checkered floor -----------------------------------------------------------
 
 // Is floor(x) odd? Stays right where the whole number no longer fits an int.
 static int odd(real x) {

@@ -3,6 +3,7 @@
 #define CHAPTER_PLANE_H
 
 #include "chapters/02-camera/camera.h"
+#include "common/wide3.h"
 
 #define NO_HIT ((real)INFINITY)
 
@@ -29,6 +30,26 @@ typedef struct {
 } plane;
 
 hit plane_surface(plane P, ray r, real t);
+
+// Planes as the equations n·p = D, side by side, for planes that many rays ask for. What
+// all rays would do again is done once: numbers made double, n·x worked out, n made a unit
+// vector; and the processor works out several planes with one instruction.
+enum { EQUATIONS = 8 };
+typedef struct {
+    double x[EQUATIONS], y[EQUATIONS], z[EQUATIONS]; // n, of any length
+    double D[EQUATIONS];  // n·x, within one rounding, however much of it cancels
+    vec3 unit[EQUATIONS]; // n / |n|
+} plane_equations;
+
+// Of the first `count` planes, at most EQUATIONS; the others' equations are 0 = 0, which no ray
+// hits.
+plane_equations plane_equations_of(const plane *planes, int count);
+
+// As plane_hit, of each: t[i] = (D - n·O) / n·d, when that, rounded to real, is above t_min; else
+// NO_HIT. Double inside: it is off by a rounding of t and by those
+// of |n||O| / n·d in double.
+void equations_hit(const plane_equations *E, ray r, real t_min, real t[EQUATIONS]);
+hit equations_surface(const plane_equations *E, int i, ray r, real t);
 
 typedef struct {
     plane P; // through the centre P.x

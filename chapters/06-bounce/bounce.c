@@ -1,9 +1,34 @@
 // bounce.c: see bounce.h. The derivations are in README.md.
 #include "chapters/06-bounce/bounce.h"
 
+#include <stdlib.h>
+
+#include "common/die.h"
+
 color clear_sky(vec3 d) {
     const real height = d.y / length(d); // -1 straight down, 1 straight up
     return lerp((color){1, 1, 1}, (color){(real)0.35, (real)0.6, 1}, fmax(height, 0));
+}
+
+// ---- a scene for many rays -------------------------------------------------------
+
+// A few planes are met sooner one by one.
+scene scene_prepare(scene sc) {
+    if (sc.plane_count < EQUATIONS / 2) return sc;
+    const int blocks = (sc.plane_count + EQUATIONS - 1) / EQUATIONS;
+    plane_equations *all = calloc((size_t)blocks, sizeof *all);
+    if (!all) die(EXIT_RUN, "no memory for %d planes", sc.plane_count);
+    for (int k = 0; k < blocks; k++) {
+        const int first = k * EQUATIONS;
+        all[k] = plane_equations_of(sc.planes + first, sc.plane_count - first);
+    }
+    sc.equations = all;
+    return sc;
+}
+
+void scene_release(scene *sc) {
+    free((void *)sc->equations);
+    sc->equations = NULL;
 }
 
 // ---- the nearest hit -----------------------------------------------------------
@@ -24,15 +49,44 @@ static nearest try_spheres(const scene *sc, ray r, real t_min, nearest best) {
 }
 
 // Which of the planes is nearest is a matter of chance, on which the processor would often guess
-// wrong: so nothing branches on it. For that each t is compared with best.at.t here alone.
+// wrong: so nothing branches on it, and the body moves by 1 times or 0 times the way to the
+// plane. For that t is compared with best.at.t here alone.
+static nearest nearer_of(nearest best, int body, real t) {
+    best.body += (t < best.at.t) * (body - best.body);
+    best.at.t = t < best.at.t ? t : best.at.t;
+    return best;
+}
+
 static nearest try_planes(const scene *sc, ray r, real t_min, nearest best) {
-    const int planes = sc->sphere_count;
+    for (int i = 0; i < sc->plane_count; i++)
+        best =
+            nearer_of(best, sc->sphere_count + i, plane_hit(sc->planes[i], r, t_min, NO_HIT));
+    return best;
+}
+
+static nearest try_equations(const scene *sc, ray r, real t_min, nearest best) {
+    real t[EQUATIONS];
     for (int i = 0; i < sc->plane_count; i++) {
-        const real t = plane_hit(sc->planes[i], r, t_min, NO_HIT);
-        best.body = t < best.at.t ? planes + i : best.body;
-        best.at.t = t < best.at.t ? t : best.at.t;
+        const int k = i % EQUATIONS;
+        if (k == 0) equations_hit(&sc->equations[i / EQUATIONS], r, t_min, t);
+        best = nearer_of(best, sc->sphere_count + i, t[k]);
     }
     return best;
+}
+
+bool planes_block(const scene *sc, ray r, real t_min, real t_max) {
+    bool blocked = false;
+    if (!sc->equations) {
+        for (int i = 0; i < sc->plane_count; i++)
+            blocked |= plane_hit(sc->planes[i], r, t_min, NO_HIT) < t_max;
+        return blocked;
+    }
+    for (int i = 0; i < sc->plane_count; i += EQUATIONS) {
+        real t[EQUATIONS];
+        equations_hit(&sc->equations[i / EQUATIONS], r, t_min, t);
+        for (int k = 0; k < EQUATIONS; k++) blocked |= t[k] < t_max;
+    }
+    return blocked;
 }
 
 static nearest try_meshes(const scene *sc, ray r, real t_min, nearest best) {
@@ -48,12 +102,15 @@ static nearest try_meshes(const scene *sc, ray r, real t_min, nearest best) {
 hit scene_nearest(const scene *sc, ray r, real t_min, real t_max, int *body) {
     nearest best = {-1, 0, {t_max, 0, 0}};
     best = try_spheres(sc, r, t_min, best);
-    best = try_planes(sc, r, t_min, best);
+    best = sc->equations ? try_equations(sc, r, t_min, best) : try_planes(sc, r, t_min, best);
     best = try_meshes(sc, r, t_min, best);
     if (best.body < 0) return (hit){.t = NO_HIT};
     *body = best.body;
     const int in_planes = best.body - sc->sphere_count, in_meshes = in_planes - sc->plane_count;
     if (in_planes < 0) return sphere_surface(sc->spheres[best.body], r, best.at.t);
+    if (in_meshes < 0 && sc->equations)
+        return equations_surface(&sc->equations[in_planes / EQUATIONS], in_planes % EQUATIONS,
+                                 r, best.at.t);
     if (in_meshes < 0) return plane_surface(sc->planes[in_planes], r, best.at.t);
     return triangle_surface(mesh_triangle(&sc->meshes[in_meshes], best.corner), r, best.at);
 }

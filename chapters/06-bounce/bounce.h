@@ -37,10 +37,20 @@ typedef struct {
     int mesh_count;
     color (*sky)(vec3 d); // the background F_B in the direction d, of any length
     start_rule start;
+    const plane_equations *equations; // of the planes, from scene_prepare; or NULL
 } scene;
 
 // A clear sky: white at the horizon, blue above, by the height of d.
 color clear_sky(vec3 d);
+
+// The scene with the equations of its planes, if they are many, worked out once for many rays:
+// what is asked of it below has the same answer, but for a rounding, sooner. scene_release frees
+// the equations, and nothing else.
+scene scene_prepare(scene sc);
+void scene_release(scene *sc);
+
+// Does the ray meet any of the planes with t_min < t < t_max?
+bool planes_block(const scene *sc, ray r, real t_min, real t_max);
 
 // The nearest hit with t_min < t < t_max of everything in the scene; t = NO_HIT
 // on a miss. *body is the number of what was hit, untouched on a miss: the spheres are

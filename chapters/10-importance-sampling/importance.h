@@ -106,6 +106,11 @@ typedef struct {
     strategy strategy;
 } lit_room;
 
+// A room, made ready for many rays: its lamps are found, the equations of its planes worked out.
+// It points to what `bodies` points to and to `surfaces`. Free it with lit_free.
+lit_room lit(scene bodies, const surface *surfaces, strategy how);
+void lit_free(lit_room *sc);
+
 // A path_tracer for lit rooms: the radiance that arrives along r after at most s bounces.
 color light_trace(const lit_room *sc, ray r, int s, rng *g);
 

@@ -71,6 +71,17 @@ void lamps_free(lamps *all) {
     *all = (lamps){0};
 }
 
+// ---- a room ----------------------------------------------------------------------------
+
+lit_room lit(scene bodies, const surface *surfaces, strategy how) {
+    return (lit_room){scene_prepare(bodies), surfaces, lamps_find(&bodies, surfaces), how};
+}
+
+void lit_free(lit_room *sc) {
+    scene_release(&sc->bodies);
+    lamps_free(&sc->lamps);
+}
+
 // ---- towards a sphere --------------------------------------------------------------
 
 // A direction to a sphere that looks tiny has few digits for it, and some pass the rim by a
@@ -128,16 +139,10 @@ real lamps_probability(const lamps *all, int body, vec3 x, hit h) {
     return p / (real)all->count;
 }
 
-// Planes as in scene_nearest: no branch that depends on chance.
 bool scene_blocked(const scene *sc, ray r, real t_max, int except) {
     for (int i = 0; i < sc->sphere_count; i++)
         if (i != except && sphere_hit(sc->spheres[i], r, 0, t_max) < t_max) return true;
-    real nearest = t_max;
-    for (int i = 0; i < sc->plane_count; i++) {
-        const real t = plane_hit(sc->planes[i], r, 0, NO_HIT);
-        nearest = t < nearest ? t : nearest;
-    }
-    if (nearest < t_max) return true;
+    if (planes_block(sc, r, 0, t_max)) return true;
     const int meshes = sc->sphere_count + sc->plane_count;
     for (int i = 0; i < sc->mesh_count; i++)
         if (meshes + i != except && mesh_any(&sc->meshes[i], r, 0, t_max)) return true;

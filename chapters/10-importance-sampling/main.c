@@ -19,7 +19,7 @@ static image draw(const options *opt, const camera *cam, scene bodies, const sur
                   strategy how) {
     job j = {lit(bodies, surfaces, how), opt->depth};
     const image img = render("10-importance-sampling", cam, look, &j, opt);
-    lamps_free(&j.room.lamps);
+    lit_free(&j.room);
     return img;
 }
 

@@ -65,7 +65,7 @@ static void find_reference(reference *truth, const camera *cam) {
         truth->light[p][2] = sum.blue.mean;
         truth->noise[p] = variance_of_mean(&sum);
     }
-    lamps_free(&sc.lamps);
+    lit_free(&sc);
 }
 
 // The squared error of each pixel after counts[0], counts[1], ... samples.
@@ -86,7 +86,7 @@ static void squared_errors(const reference *truth, const camera *cam, strategy h
                 off[0] * off[0] + off[1] * off[1] + off[2] * off[2] - truth->noise[p];
         }
     }
-    lamps_free(&sc.lamps);
+    lit_free(&sc);
 }
 
 static double root_mean(const double *squares) {
@@ -125,7 +125,7 @@ static void time_strategies(const camera *cam, double ns[COUNT(ways)]) {
             double once;
             measure_ns(&run, 1, &box, PIXELS * TIMED_SAMPLES, 1, &once);
             ns[w] = fmin(ns[w], once);
-            lamps_free(&box.room.lamps);
+            lit_free(&box.room);
         }
 }
 

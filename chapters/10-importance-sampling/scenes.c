@@ -14,10 +14,6 @@ void fill_box_surfaces(surface surfaces[BOX_BODIES], real alpha) {
             (surface){.lobe = GGX, .albedo = V(0.95, 0.93, 0.88), .alpha = alpha};
 }
 
-lit_room lit(scene bodies, const surface *surfaces, strategy how) {
-    return (lit_room){bodies, surfaces, lamps_find(&bodies, surfaces), how};
-}
-
 // ---- the plates ----------------------------------------------------------------------
 
 static const vec3 veach_eye = V(0, 2.2, 9.5);

@@ -9,9 +9,6 @@
 // metal with this roughness.
 void fill_box_surfaces(surface surfaces[BOX_BODIES], real alpha);
 
-// A room of bodies, surfaces and the lamps among them, for lamps_free to free.
-lit_room lit(scene bodies, const surface *surfaces, strategy how);
-
 // The scene by Veach: four metal plates, the nearest the roughest, each turned so that it
 // mirrors four round lamps of different sizes and equal power into the camera.
 enum { PLATES = 4, ROUND_LAMPS = 4, PLATE_WALLS = 2 };

@@ -73,13 +73,17 @@ static hit next_stop(const glass_room *sc, walk *w, int *body) {
     }
 }
 
+static bool is_black(color c) {
+    return c.x <= 0 && c.y <= 0 && c.z <= 0; // NaN is not
+}
+
 // What an opaque body shines. Through a boundary L / n² stays the same, not L.
 static void collect(const glass_room *sc, walk *w, int body, hit h) {
-    if (!h.front || sc->substances[body].kind != OPAQUE) return;
+    const color emittance = sc->room.surfaces[body].emittance;
+    if (!h.front || sc->substances[body].kind != OPAQUE || is_black(emittance)) return;
     const real n = index_in(sc, &w->in);
     const real share = w->p > 0 ? share_of_hit(&sc->room, body, w->r, h, w->p) : 1;
-    const color L = mul(w->C, sc->room.surfaces[body].emittance);
-    w->L = add(w->L, scale(share / (n * n), L));
+    w->L = add(w->L, scale(share / (n * n), mul(w->C, emittance)));
 }
 
 // ---- the bounces -------------------------------------------------------------------
@@ -130,10 +134,6 @@ static void bounce_off(const glass_room *sc, walk *w, int body, hit h, int bounc
         bounce_metal(sc, sc->substances[body].metal, w, h);
         break;
     }
-}
-
-static bool is_black(color c) {
-    return c.x <= 0 && c.y <= 0 && c.z <= 0; // NaN is not
 }
 
 // L / n² of the light that arrives.

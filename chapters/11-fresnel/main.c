@@ -24,9 +24,9 @@ static image draw(const options *opt, const camera *cam, radiance f, const void 
 // A scene with no lamp but its sky.
 static image draw_under_sky(const options *opt, const camera *cam, scene bodies,
                             const surface *surfaces, const substance *of) {
-    job j = {{{bodies, surfaces, lamps_find(&bodies, surfaces), BY_BRDF}, of, {0}}, opt->depth};
+    job j = {{lit(bodies, surfaces, BY_BRDF), of, {0}}, opt->depth};
     const image img = draw(opt, cam, look, &j);
-    lamps_free(&j.room.room.lamps);
+    lit_free(&j.room.room);
     return img;
 }
 
@@ -49,11 +49,10 @@ static image show_box(const options *opt) {
         [BALL_LEFT] = {.kind = METAL, .metal = &metals[0]},
         [BALL_RIGHT] = {.kind = GLASS, .n = (real)1.5},
     };
-    job j = {{{box_bodies, surfaces, lamps_find(&box_bodies, surfaces), BY_POWER}, of, {0}},
-             opt->depth};
+    job j = {{lit(box_bodies, surfaces, BY_POWER), of, {0}}, opt->depth};
     const camera cam = box_camera(opt->width, opt->height);
     const image img = draw(opt, &cam, look, &j);
-    lamps_free(&j.room.room.lamps);
+    lit_free(&j.room.room);
     return img;
 }
 

@@ -41,7 +41,7 @@ static image draw_floor(const options *opt, const ball_lens *lens) {
     const surface none = {.alpha = 0};
     const substance of = {.kind = GLASS, .n = (real)lens->n};
     const scene bodies = {.spheres = &ball, .sphere_count = 1, .sky = sun_sky};
-    floor_job j = {{{bodies, &none, lamps_find(&bodies, &none), BY_BRDF}, &of, {0}}, *lens};
+    floor_job j = {{lit(bodies, &none, BY_BRDF), &of, {0}}, *lens};
     const camera cam = {.eye = {0, (real)-lens->depth, 0},
                         .right = {1, 0, 0},
                         .up = {0, 0, -1},
@@ -51,7 +51,7 @@ static image draw_floor(const options *opt, const ball_lens *lens) {
                         .kind = ORTHOGRAPHIC,
                         .span = (real)(2 * half_width)};
     const image img = render("11-fresnel", &cam, look_floor, &j, opt);
-    lamps_free(&j.room.room.lamps);
+    lit_free(&j.room.room);
     return img;
 }
 
@@ -129,13 +129,12 @@ static image draw_window(const options *opt) {
     const surface none = {.alpha = 0};
     const substance of = {.kind = GLASS, .n = (real)water_index};
     const scene bodies = {.planes = &top, .plane_count = 1, .sky = evening_sky};
-    water_job j = {{{bodies, &none, lamps_find(&bodies, &none), BY_BRDF}, &of, {1, {0}}},
-                   opt->depth};
+    water_job j = {{lit(bodies, &none, BY_BRDF), &of, {1, {0}}}, opt->depth};
     const vec3 eye = {0, (real)-eye_depth, 0}, above = {0, 0, 0}, up = {0, 0, 1};
     const real fov = (real)(atan(seen / eye_depth) * 360 / PI);
     const camera cam = camera_look_at(eye, above, up, fov, opt->width, opt->height);
     const image img = render("11-fresnel", &cam, look_up, &j, opt);
-    lamps_free(&j.room.room.lamps);
+    lit_free(&j.room.room);
     return img;
 }
 

@@ -114,20 +114,18 @@ void stage_set(stage *s, const mesh *m, const bvh *tree, setting how) {
     s->surfaces[bodies++].emittance = (color){how.radiance, how.radiance, how.radiance};
     if (!how.inside) s->surfaces[bodies++] = how.floor;
     s->surfaces[bodies++] = how.mesh;
-    s->room.bodies = (scene){.spheres = &s->how.lamp,
-                             .sphere_count = 1,
-                             .planes = &s->floor,
-                             .plane_count = how.inside ? 0 : 1,
-                             .meshes = &s->m,
-                             .mesh_count = 1,
-                             .sky = how.inside ? NULL : clear_sky};
-    s->room.surfaces = s->surfaces;
-    s->room.lamps = lamps_find(&s->room.bodies, s->surfaces);
-    s->room.strategy = BY_POWER;
+    const scene all = {.spheres = &s->how.lamp,
+                       .sphere_count = 1,
+                       .planes = &s->floor,
+                       .plane_count = how.inside ? 0 : 1,
+                       .meshes = &s->m,
+                       .mesh_count = 1,
+                       .sky = how.inside ? NULL : clear_sky};
+    s->room = lit(all, s->surfaces, BY_POWER);
 }
 
 void stage_free(stage *s) {
-    lamps_free(&s->room.lamps);
+    lit_free(&s->room);
 }
 
 color heat(long steps, long black) {
