@@ -36,28 +36,29 @@ real sphere_hit(sphere S, ray r, real t_min, real t_max) {
     const double half_b = wide_dot(v, d), c = wide_dot(v, v) - rr;
     const double q = -(half_b + copysign(sqrt(quarter), half_b));
     const double t0 = q / a, t1 = q == 0 ? t0 : c / q;
-    return nearest_root(t0 < t1 ? (roots){2, t0, t1} : (roots){2, t1, t0}, t_min, t_max);
+    return nearest_root((roots){2, t0 < t1 ? t0 : t1, t0 < t1 ? t1 : t0}, t_min, t_max);
 }
 
-// From the centre to the hit at t, of length r. t only says which end of the chord: it is
+// The normal where the ray meets the sphere at t. t only says which end of the chord: it is
 // rounded, and far away that may be a whole radius.
-static wide3 chord_end(sphere S, ray r, real t) {
+static wide3 normal_at(sphere S, ray r, real t) {
     const wide3 v = wide_sub(r.O, S.c), d = widen(r.d);
-    const double a = wide_dot(d, d), middle = -wide_dot(v, d) / a;
+    const double per_a = 1 / wide_dot(d, d), middle = -wide_dot(v, d) * per_a;
     const wide3 l = wide_along(v, middle, d); // to the ray's point nearest the centre
     const double square = (double)S.r * S.r - wide_dot(l, l),
-                 half = square > 0 ? sqrt(square / a) : 0;
+                 half = square > 0 ? sqrt(square * per_a) : 0;
     const wide3 end = wide_along(l, t <= (real)middle ? -half : half, d);
-    const double stretch = S.r / sqrt(wide_dot(end, end));
-    return (wide3){stretch * end.x, stretch * end.y, stretch * end.z};
+    const double k = 1 / sqrt(wide_dot(end, end));
+    return (wide3){k * end.x, k * end.y, k * end.z};
 }
 
 hit sphere_surface(sphere S, ray r, real t) {
-    const wide3 out = chord_end(S, r, t), c = widen(S.c);
-    hit h = hit_at(r, t, narrow((wide3){out.x / S.r, out.y / S.r, out.z / S.r}));
-    h.p = narrow(wide_along(c, 1, out));
+    const wide3 n = normal_at(S, r, t), c = widen(S.c);
+    hit h = hit_at(r, t, narrow(n));
+    h.p = narrow(wide_along(c, S.r, n));
     // The rounding of p, and those of the double arithmetic before it.
-    h.error = add(scale(rounding_bound(2), absolute(h.p)),
-                  scale((real)(4 * DBL_EPSILON), add(absolute(S.c), absolute(narrow(out)))));
+    const vec3 summed = add(absolute(S.c), scale(S.r, absolute(h.n)));
+    h.error =
+        add(scale(rounding_bound(2), absolute(h.p)), scale((real)(4 * DBL_EPSILON), summed));
     return h;
 }

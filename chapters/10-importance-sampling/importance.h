@@ -63,6 +63,7 @@ typedef struct {
 typedef struct {
     lamp *lamps;
     int count;
+    real chance;        // of each to be aimed at: 1 / count
     const int *of_body; // which lamp a body is; -1: none
 } lamps;
 

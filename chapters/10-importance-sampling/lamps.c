@@ -61,6 +61,7 @@ lamps lamps_find(const scene *bodies, const surface *surfaces) {
         all.lamps[all.count++] = i < planes ? (lamp){.body = i, .S = &bodies->spheres[i]}
                                             : mesh_lamp(i, &bodies->meshes[i - meshes]);
     }
+    if (all.count > 0) all.chance = 1 / (real)all.count;
     return all;
 }
 
@@ -136,7 +137,7 @@ real lamps_probability(const lamps *all, int body, vec3 x, hit h) {
     const lamp *l = &all->lamps[all->of_body[body]];
     const real p = l->S ? sphere_probability(*l->S, x, normalize(sub(l->S->c, x)))
                         : solid_angle_probability(x, h.p, h.n, l->area);
-    return p / (real)all->count;
+    return p * all->chance;
 }
 
 bool scene_blocked(const scene *sc, ray r, real t_max, int except) {

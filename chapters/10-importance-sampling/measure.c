@@ -1,5 +1,6 @@
 // measure.c: the noise of each strategy against samples and against time; what each sampler
-// costs; the energy that rough metal loses; how fast the box is drawn, and where the time goes.
+// costs; the energy that rough metal loses; how fast the box is drawn, where the time goes, and
+// what a page of plain C takes.
 #include <stdlib.h>
 
 #include "chapters/10-importance-sampling/samplers.h"

@@ -13,8 +13,7 @@
 #include <omp.h>
 #endif
 
-#include "chapters/10-importance-sampling/scenes.h"
-#include "common/die.h"
+#include "chapters/10-importance-sampling/plain.h"
 
 enum {
     WALK_SIDE = 64,
@@ -233,6 +232,36 @@ static void measure_rates(lit_room *sc) {
         }
 }
 
+// ---- beside plain C ------------------------------------------------------------------
+
+typedef struct {
+    lit_room room;
+    plain_box plain;
+    camera cam;
+} matte_box;
+
+static double by_course(const void *data, int i) {
+    const matte_box *b = data;
+    rng g = rng_seed(1, (uint64_t)i);
+    return (double)light_trace(&b->room, plain_ray(&b->cam, i, &g), WALK_DEPTH, &g).y;
+}
+
+static double by_plain(const void *data, int i) {
+    const matte_box *b = data;
+    rng g = rng_seed(2, (uint64_t)i);
+    const ray r = plain_ray(&b->cam, i, &g);
+    return plain_trace(&b->plain, widen(r.O), wide_unit(widen(r.d)), WALK_DEPTH, &g).y;
+}
+
+static void measure_beside_plain(void) {
+    surface surfaces[BOX_BODIES];
+    fill_box_surfaces(surfaces, 0);
+    matte_box b = {lit(box_bodies, surfaces, BY_POWER), plain_build(&box_bodies, surfaces),
+                   box_camera(PLAIN_SIDE, PLAIN_SIDE)};
+    plain_measure("light_trace", by_course, by_plain, &b);
+    lit_free(&b.room);
+}
+
 static void measure_speed(void) {
     surface surfaces[BOX_BODIES];
     notebook *b = calloc(1, sizeof *b);
@@ -242,6 +271,7 @@ static void measure_speed(void) {
     write_down(b);
     measure_shares(b);
     measure_rates(&b->room);
+    measure_beside_plain();
     lit_free(&b->room);
     free(b);
 }

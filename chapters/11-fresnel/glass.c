@@ -80,7 +80,7 @@ static bool is_black(color c) {
 // What an opaque body shines. Through a boundary L / n² stays the same, not L.
 static void collect(const glass_room *sc, walk *w, int body, hit h) {
     const color emittance = sc->room.surfaces[body].emittance;
-    if (!h.front || sc->substances[body].kind != OPAQUE || is_black(emittance)) return;
+    if (is_black(emittance) || !h.front || sc->substances[body].kind != OPAQUE) return;
     const real n = index_in(sc, &w->in);
     const real share = w->p > 0 ? share_of_hit(&sc->room, body, w->r, h, w->p) : 1;
     w->L = add(w->L, scale(share / (n * n), mul(w->C, emittance)));

@@ -1,5 +1,8 @@
 // measure.c: Schlick against Fresnel, what rounding does to both and to Snell's law, what
-// they cost, and whether to follow one ray or two.
+// they cost, whether to follow one ray or two, and glass_trace beside a page of plain C.
+#include <stdlib.h>
+
+#include "chapters/11-fresnel/plain.h"
 #include "chapters/11-fresnel/variants.h"
 
 enum { CASES = 4096, ROUNDS = 9 };
@@ -334,6 +337,7 @@ int main(void) {
     measure_rounding();
     measure_snell();
     metal_costs();
+    if (!getenv("ERRORS_ONLY")) measure_beside_plain();
     if (sizeof(real) > sizeof(float)) return 0; // the rest is no matter of rounding
     measure_schlick();
     measure_metals();

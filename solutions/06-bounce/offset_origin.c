@@ -2,15 +2,14 @@
 
 // One or two numbers further in the direction of the step, so that rounding
 // p + step to the nearest never takes any of it back.
-static real away(real x, real step) {
-    const int sign = (step > 0) - (step < 0);
+static real away(real x, real direction) {
+    const int sign = (direction > 0) - (direction < 0);
     return x + sign * (REAL_EPSILON * fabs(x));
 }
 
 // |n|·error is how far the box p ± error reaches along n.
 vec3 offset_origin(vec3 p, vec3 error, vec3 n, vec3 d) {
-    const real reach = dot(absolute(n), error);
-    const vec3 step = scale(dot(d, n) < 0 ? -reach : reach, n);
-    const vec3 q = add(p, step);
-    return (vec3){away(q.x, step.x), away(q.y, step.y), away(q.z, step.z)};
+    const vec3 m = dot(d, n) < 0 ? neg(n) : n;
+    const vec3 q = add(p, scale(dot(absolute(n), error), m));
+    return (vec3){away(q.x, m.x), away(q.y, m.y), away(q.z, m.z)};
 }

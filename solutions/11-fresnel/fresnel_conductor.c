@@ -5,7 +5,7 @@
 // that does not cancel; the other follows from a b.
 static double reflectance(double c, double eta, double k) {
     const double sin2 = (1 - c) * (1 + c), re = (eta - 1) * (eta + 1) - k * k + c * c;
-    const double a2b2 = hypot(re, 2 * eta * k); // a² + b²
+    const double im = 2 * eta * k, a2b2 = sqrt(re * re + im * im); // a² + b²
     const double larger = sqrt((a2b2 + fabs(re)) / 2);
     const double a = re > 0 ? larger : larger > 0 ? eta * k / larger : 0;
     const double u = a2b2 + c * c, v = 2 * a * c, Rs = (u - v) / (u + v);
