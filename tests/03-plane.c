@@ -121,6 +121,11 @@ static void no_epsilon(void) {
 }
 
 // Grazing rays: d·n / (|d| |n|) is `slope`, and the dot product cancels.
+static vec3 at_slope(vec3 d, vec3 normal, real slope) {
+    const vec3 n = normalize(normal);
+    return add(sub(d, scale(dot(d, n), n)), scale(slope * length(d), n));
+}
+
 static void grazing(void) {
     rng g = rng_seed(3, 3);
     const real slopes[] = {(real)1e-3, (real)1e-5, (real)1e-6};
@@ -129,8 +134,7 @@ static void grazing(void) {
             plane P;
             ray r;
             generic(&g, 5, 1, &P, &r);
-            const vec3 n = normalize(P.n);
-            r.d = add(sub(r.d, scale(dot(r.d, n), n)), scale(slopes[k] * length(r.d), n));
+            r.d = at_slope(r.d, P.n, slopes[k]);
             if (dot(r.d, P.n) == 0) continue;
             given_plane(P, r);
             CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), plane_t(P, r), double_inside(P, r));
@@ -203,50 +207,67 @@ static allowance by_equation(plane P, ray r, double D) {
                        "double inside, one rounding out");
 }
 
-// x may lie far from all else, anywhere in the plane: `along` says how far.
-static void equations_at(real size, real from_origin, real along, rng *g) {
-    plane P[EQUATIONS];
+typedef struct {
+    real size;        // of everything
+    real from_origin; // how far away all of it is
+    real along;       // how far each x is from the rest, in its plane
+    real slope;       // of the ray to the first plane; 0: any
+} layout;
+
+static ray fill_planes(layout l, plane *P, int count, rng *g) {
     ray r;
-    const vec3 there = scale(from_origin, in_cube(g));
-    const int count = 1 + (int)(rng_bits(g) % EQUATIONS);
+    const vec3 there = scale(l.from_origin, in_cube(g));
     for (int k = 0; k < count; k++) {
-        generic(g, size, 1, &P[k], &r);
-        const vec3 a = in_cube(g), n = normalize(P[k].n);
-        P[k].x = add(add(P[k].x, there), scale(along, sub(a, scale(dot(a, n), n))));
+        generic(g, l.size, 1, &P[k], &r);
+        P[k].x = add(add(P[k].x, there), scale(l.along, at_slope(in_cube(g), P[k].n, 0)));
     }
     r.O = add(r.O, there);
+    if (l.slope > 0) r.d = at_slope(r.d, P[0].n, l.slope);
+    return r;
+}
+
+static void check_equation(plane P, const plane_equations *E, int k, ray r, real t) {
+    const double D = E->D[k];
+    given_plane(P, r);
+    CHECK_REAL(D, exact_dot(exact_of(P.x), exact_of(P.n)),
+               relative_to(0.501 * DBL_EPSILON, "one rounding"));
+    CHECK_REAL(t, plane_t(P, r), by_equation(P, r, D));
+    if (t > 0 && t < REAL_MAX) check_bound(P, r, equations_surface(E, k, r, t));
+}
+
+static void equations_at(layout l, rng *g) {
+    plane P[EQUATIONS];
+    const int count = 1 + (int)(rng_bits(g) % EQUATIONS);
+    const ray r = fill_planes(l, P, count, g);
     const plane_equations E = plane_equations_of(P, count);
     real t[EQUATIONS];
     equations_hit(&E, r, -NO_HIT, t);
-    for (int k = 0; k < EQUATIONS; k++) {
-        if (k >= count) {
-            given("%d planes, and of the equations that are left over the one in place %d",
-                  count, k);
-            CHECK_REAL(t[k], NO_HIT, exactly());
-            continue;
-        }
-        const exact3 n = exact_of(P[k].n);
-        const exact D = exact_dot(exact_of(P[k].x), n);
-        given_plane(P[k], r);
-        const double distance_term = E.D[k];
-        CHECK_REAL(distance_term, D, relative_to(0.501 * DBL_EPSILON, "one rounding"));
-        CHECK_REAL(t[k], plane_t(P[k], r), by_equation(P[k], r, E.D[k]));
-        if (t[k] > 0 && t[k] < REAL_MAX)
-            check_bound(P[k], r, equations_surface(&E, k, r, t[k]));
+    for (int k = 0; k < count; k++) check_equation(P[k], &E, k, r, t[k]);
+    for (int k = count; k < EQUATIONS; k++) {
+        given("%d planes, and of the equations that are left over the one in place %d", count,
+              k);
+        CHECK_REAL(t[k], NO_HIT, exactly());
     }
 }
 
 static void equations_generic(void) {
     rng g = rng_seed(3, 11);
-    for (int i = 0; i < 2000; i++) equations_at((real)pow(10, i % 9 - 2), 0, 0, &g);
+    for (int i = 0; i < 2000; i++)
+        equations_at((layout){(real)pow(10, i % 9 - 2), 0, 0, 0}, &g);
 }
 
 static void equations_far(void) {
     rng g = rng_seed(3, 12);
     for (int i = 0; i < 2000; i++) {
         const real far = (real)pow(10, i % 7);
-        equations_at(1, i & 1 ? far : 0, i & 2 ? far : 0, &g);
+        equations_at((layout){1, i & 1 ? far : 0, i & 2 ? far : 0, 0}, &g);
     }
+}
+
+static void equations_grazing(void) {
+    rng g = rng_seed(3, 13);
+    for (int i = 0; i < 3000; i++)
+        equations_at((layout){5, 0, 0, (real)pow(10, -3 - i % 4)}, &g);
 }
 
 static void equations_miss(void) {
@@ -452,6 +473,7 @@ int main(void) {
         {"equations_hit: generic planes", equations_generic, "Given code: did it change?"},
         {"equations_hit: far away, and x far from the ray", equations_far,
          "Given code: did it change?"},
+        {"equations_hit: grazing rays", equations_grazing, "Given code: did it change?"},
         {"equations_hit: misses", equations_miss, "Given code: did it change?"},
         {"disc_hit: 4000 generic discs", disc_generic, "How far is O + t d from the centre?"},
         {"disc_hit: seen from far away", disc_far,

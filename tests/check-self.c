@@ -175,6 +175,15 @@ static void as_above(void) {
     must_not_say(file_of("JUNIT", "again: "), "as above");
 }
 
+static void crashed_as_above(void) {
+    const outcome *o = run("", "fallen: ");
+    must_say(o, "FAIL  fallen: first\n      crashed: abort() or assert()\n"
+                "FAIL  fallen: too\n"
+                "      as above: crashed: abort() or assert()   (FULL=1 tells all)\n"
+                "FAIL  fallen: otherwise\n      left the program by exit(3)\n");
+    must_not_say(run("FULL=1", "fallen: "), "as above");
+}
+
 static void printed(void) {
     const outcome *o = run("", "print: ");
     must_say(o, "      printed    line 1 ");
@@ -280,6 +289,7 @@ int main(void) {
         {"message: other checks", others, NULL},
         {"message: suspects come first", suspects, NULL},
         {"message: as above", as_above, NULL},
+        {"message: a crash as above", crashed_as_above, NULL},
         {"message: what the test printed", printed, NULL},
         {"setting: T that matches nothing", no_match, NULL},
         {"setting: T that is an exercise's whole name", whole_name, NULL},

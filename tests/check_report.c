@@ -75,22 +75,32 @@ static bool same_row(const result *a, const result *b, const char *label) {
     return length == other && strncmp(row, also, length) == 0;
 }
 
+static bool has_row(const result *r, const char *label) {
+    size_t length;
+    row_of(r->message.chars, label, &length);
+    return length > 0;
+}
+
+// The label of the row that tells the cause, as far as is known; or NULL.
+static const char *cause_of(const result *r) {
+    if (has_row(r, "looks like ")) return "looks like ";
+    return has_row(r, "crashed: ") ? "crashed: " : NULL;
+}
+
 // Whether an earlier test of r's exercise has failed for the same reason, as far as is known.
 static bool is_as_above(const summary *s, const result *r) {
-    size_t like, printed;
-    row_of(r->message.chars, "looks like ", &like);
-    row_of(r->message.chars, "printed ", &printed);
-    if (runner_flag("FULL") || like == 0 || printed > 0) return false;
+    const char *cause = cause_of(r);
+    if (runner_flag("FULL") || !cause || has_row(r, "printed ")) return false;
     for (const result *b = s->results; b < r; b++)
-        if (b->verdict == FAILED && same_exercise(b->test, r->test) &&
-            same_row(b, r, "looks like ") && same_row(b, r, "hint "))
+        if (b->verdict == FAILED && same_exercise(b->test, r->test) && same_row(b, r, cause) &&
+            same_row(b, r, "hint "))
             return true;
     return false;
 }
 
 static void print_as_above(const result *r) {
     size_t length;
-    const char *row = row_of(r->message.chars, "looks like ", &length);
+    const char *row = row_of(r->message.chars, cause_of(r), &length);
     printf("      as above: %.*s   (FULL=1 tells all)\n", (int)strcspn(row, "\n"), row);
 }
 

@@ -23,7 +23,7 @@ hit plane_surface(plane P, ray r, real t) {
     return h;
 }
 
-// ---- many rays, one plane --------------------------------------------------------
+// ---- many rays -------------------------------------------------------------------
 
 // a·b as if summed with twice the digits, then rounded once: Dot2. What each product and
 // each sum loses is caught and added at the end.

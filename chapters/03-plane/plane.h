@@ -46,9 +46,10 @@ typedef struct {
 plane_equations plane_equations_of(const plane *planes, int count);
 
 // As plane_hit, of each: t[i] = (D - n·O) / n·d, when that, rounded to real, is above t_min; else
-// NO_HIT. Double inside: it is off by a rounding of t and by those
-// of |n||O| / n·d in double.
+// NO_HIT. Double inside: off by one rounding of t, and by a few of |n||O| / |n·d| in double.
 void equations_hit(const plane_equations *E, ray r, real t_min, real t[EQUATIONS]);
+
+// As plane_surface, of the plane in place i.
 hit equations_surface(const plane_equations *E, int i, ray r, real t);
 
 typedef struct {
