@@ -212,13 +212,20 @@ typedef struct {
     real from_origin; // how far away all of it is
     real along;       // how far each x is from the rest, in its plane
     real slope;       // of the ray to the first plane; 0: any
+    real speed;       // |d|, about
 } layout;
+
+// From 1e-20 to 1e20 times as long.
+static vec3 some_length(vec3 n, rng *g) {
+    return scale((real)pow(10, (int)(rng_bits(g) % 5) * 10 - 20), n);
+}
 
 static ray fill_planes(layout l, plane *P, int count, rng *g) {
     ray r;
     const vec3 there = scale(l.from_origin, in_cube(g));
     for (int k = 0; k < count; k++) {
-        generic(g, l.size, 1, &P[k], &r);
+        generic(g, l.size, l.speed, &P[k], &r);
+        P[k].n = some_length(P[k].n, g);
         P[k].x = add(add(P[k].x, there), scale(l.along, at_slope(in_cube(g), P[k].n, 0)));
     }
     r.O = add(r.O, there);
@@ -232,7 +239,9 @@ static void check_equation(plane P, const plane_equations *E, int k, ray r, real
     CHECK_REAL(D, exact_dot(exact_of(P.x), exact_of(P.n)),
                relative_to(0.501 * DBL_EPSILON, "one rounding"));
     CHECK_REAL(t, plane_t(P, r), by_equation(P, r, D));
-    if (t > 0 && t < REAL_MAX) check_bound(P, r, equations_surface(E, k, r, t));
+    if (!(t > 0 && t < REAL_MAX)) return;
+    check_bound(P, r, equations_surface(E, k, r, t));
+    check_bound(P, r, plane_surface(P, r, t));
 }
 
 static void equations_at(layout l, rng *g) {
@@ -253,21 +262,27 @@ static void equations_at(layout l, rng *g) {
 static void equations_generic(void) {
     rng g = rng_seed(3, 11);
     for (int i = 0; i < 2000; i++)
-        equations_at((layout){(real)pow(10, i % 9 - 2), 0, 0, 0}, &g);
+        equations_at((layout){(real)pow(10, i % 9 - 2), 0, 0, 0, 1}, &g);
 }
 
 static void equations_far(void) {
     rng g = rng_seed(3, 12);
     for (int i = 0; i < 2000; i++) {
         const real far = (real)pow(10, i % 7);
-        equations_at((layout){1, i & 1 ? far : 0, i & 2 ? far : 0, 0}, &g);
+        equations_at((layout){1, i & 1 ? far : 0, i & 2 ? far : 0, 0, 1}, &g);
     }
+}
+
+static void equations_no_epsilon(void) {
+    rng g = rng_seed(3, 14);
+    for (int i = 0; i < 2500; i++)
+        equations_at((layout){5, 0, 0, 0, (real)pow(10, i % 25 - 12)}, &g);
 }
 
 static void equations_grazing(void) {
     rng g = rng_seed(3, 13);
     for (int i = 0; i < 3000; i++)
-        equations_at((layout){5, 0, 0, (real)pow(10, -3 - i % 4)}, &g);
+        equations_at((layout){5, 0, 0, (real)pow(10, -3 - i % 4), 1}, &g);
 }
 
 static void equations_miss(void) {
@@ -474,6 +489,7 @@ int main(void) {
         {"equations_hit: far away, and x far from the ray", equations_far,
          "Given code: did it change?"},
         {"equations_hit: grazing rays", equations_grazing, "Given code: did it change?"},
+        {"equations_hit: tiny and huge d", equations_no_epsilon, "Given code: did it change?"},
         {"equations_hit: misses", equations_miss, "Given code: did it change?"},
         {"disc_hit: 4000 generic discs", disc_generic, "How far is O + t d from the centre?"},
         {"disc_hit: seen from far away", disc_far,

@@ -939,7 +939,7 @@ int main(void) {
         {"unit_vector: chi² over the sphere", unit_vectors, "Given code: did it change?"},
         {"trace_slide: the slide's two slips", slide_slips, "Given code: did it change?"},
         {"scene_hit: the nearest of everything", nearest_of_all, "Given code: did it change?"},
-        {"scene_prepare: nothing changes", prepared, "Given code: did it change?"},
+        {"scene_prepare: the same hits", prepared, "Given code: did it change?"},
         {"bounce: stays on its side", either_side, "n turned towards the ray."},
     };
     return run_tests("06-bounce", tests, COUNT(tests));

@@ -35,7 +35,7 @@ static real threshold(plane P, ray r, real t_min, real t_max) {
     return accept(dot(sub(P.x, r.O), P.n) / along, t_min, t_max);
 }
 
-// The same in double.
+// stored_distance, with D and all else in double.
 static real equation(plane P, ray r, real t_min, real t_max) {
     const plane_equations E = plane_equations_of(&P, 1);
     real t[EQUATIONS];

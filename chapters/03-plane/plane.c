@@ -10,12 +10,13 @@ hit hit_at(ray r, real t, vec3 n) {
                  .front = dot(r.d, n) < 0};
 }
 
+// In double, since the square of a short or long n leaves float's range.
 static vec3 unit_normal(vec3 n) {
-    return dot(n, n) == 1 ? n : normalize(n);
+    return dot(n, n) == 1 ? n : narrow(wide_unit(widen(n)));
 }
 
-// plane_hit's two dot products in double: nothing beside float's roundings, all that
-// counts where real is double.
+// plane_hit's two dot products in double: nothing beside float's roundings (unless x is 1e8 times
+// farther off than the hit), all that counts where real is double.
 hit plane_surface(plane P, ray r, real t) {
     hit h = hit_at(r, t, unit_normal(P.n));
     const vec3 summed = add(absolute(sub(P.x, r.O)), absolute(scale(t, r.d)));
@@ -25,8 +26,8 @@ hit plane_surface(plane P, ray r, real t) {
 
 // ---- many rays -------------------------------------------------------------------
 
-// a·b as if summed with twice the digits, then rounded once: Dot2. What each product and
-// each sum loses is caught and added at the end.
+// a·b as if summed with twice the digits, then rounded: Dot2. What each product and each sum
+// loses is caught and added at the end.
 // Source: Ogita, Rump and Oishi 2005, Accurate sum and dot product, algorithm 5.3.
 static double dot_twice(wide3 a, wide3 b) {
     const double p[3] = {a.x * b.x, a.y * b.y, a.z * b.z};
@@ -66,8 +67,9 @@ void equations_hit(const plane_equations *E, ray r, real t_min, real t[EQUATIONS
 hit equations_surface(const plane_equations *E, int i, ray r, real t) {
     hit h = hit_at(r, t, E->unit[i]);
     // Besides hit_at's, in units of DBL_EPSILON / 2, times |n_i|(|O_i| + |t d_i|), summed: D 1,
-    // n·O and the difference 4, n·d and the quotient 5, and, as the next ray must find itself on
-    // the side that it starts on, D - n·O once more 5: 15, nothing beside a float's roundings.
+    // n·O and the difference 4, n·d and the quotient 4, and, as the next ray must find itself on
+    // the side that it starts on, D - n·O once more 5: 14 of these 16. In float the factor is
+    // rounded to 1, and hit_at's fourth rounding has room for them.
     h.error = scale((real)(1 + 8 * DBL_EPSILON / rounding_bound(4)), h.error);
     return h;
 }

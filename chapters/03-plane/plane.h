@@ -29,6 +29,8 @@ typedef struct {
     vec3 n; // its normal, outward, of any length but 0
 } plane;
 
+// The hit at t, which plane_hit gave: hit_at's, and in `error` also what plane_hit may have lost
+// in double.
 hit plane_surface(plane P, ray r, real t);
 
 // Planes as the equations n·p = D, side by side, for planes that many rays ask for. What
@@ -37,16 +39,17 @@ hit plane_surface(plane P, ray r, real t);
 enum { EQUATIONS = 8 };
 typedef struct {
     double x[EQUATIONS], y[EQUATIONS], z[EQUATIONS]; // n, of any length
-    double D[EQUATIONS];  // n·x, within one rounding, however much of it cancels
+    double D[EQUATIONS];  // n·x, within one rounding and DBL_EPSILON² of a few |n||x|
     vec3 unit[EQUATIONS]; // n / |n|
 } plane_equations;
 
-// Of the first `count` planes, at most EQUATIONS; the others' equations are 0 = 0, which no ray
-// hits.
+// Of `count` planes, or of the first EQUATIONS if they are more; the places that are left are
+// 0 = 0, which no ray hits.
 plane_equations plane_equations_of(const plane *planes, int count);
 
 // As plane_hit, of each: t[i] = (D - n·O) / n·d, when that, rounded to real, is above t_min; else
-// NO_HIT. Double inside: off by one rounding of t, and by a few of |n||O| / |n·d| in double.
+// NO_HIT. Double inside: off by one rounding of t, and by a few DBL_EPSILON of
+// |n|(|O| + |t d|) / |n·d|.
 void equations_hit(const plane_equations *E, ray r, real t_min, real t[EQUATIONS]);
 
 // As plane_surface, of the plane in place i.

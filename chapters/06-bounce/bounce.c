@@ -14,6 +14,7 @@ color clear_sky(vec3 d) {
 
 // A few planes are met sooner one by one.
 scene scene_prepare(scene sc) {
+    sc.equations = NULL;
     if (sc.plane_count < EQUATIONS / 2) return sc;
     const int blocks = (sc.plane_count + EQUATIONS - 1) / EQUATIONS;
     plane_equations *all = calloc((size_t)blocks, sizeof *all);
@@ -50,7 +51,7 @@ static nearest try_spheres(const scene *sc, ray r, real t_min, nearest best) {
 
 // Which of the planes is nearest is a matter of chance, on which the processor would often guess
 // wrong: so nothing branches on it, and the body moves by 1 times or 0 times the way to the
-// plane. For that t is compared with best.at.t here alone.
+// plane. This is why t is compared here, and plane_hit asked with t_max = NO_HIT.
 static nearest nearer_of(nearest best, int body, real t) {
     best.body += (t < best.at.t) * (body - best.body);
     best.at.t = t < best.at.t ? t : best.at.t;

@@ -12,6 +12,8 @@ typedef struct {
     vec3 s, t, n;
 } frame;
 frame orthonormal_basis(vec3 n);
+
+// The coordinates of v in the frame: (v·s, v·t, v·n); and back.
 vec3 to_local(frame f, vec3 v);
 vec3 to_world(frame f, vec3 v);
 
@@ -38,6 +40,9 @@ typedef struct {
     color weight; // f_r (n·v) / p
     real p;       // its density per steradian; 0: the path ends
 } scattered;
+
+// A direction where the surface sends much: of a density proportional to the cosine (LAMBERT), or
+// o mirrored in a visible normal (GGX). n and o as for surface_brdf.
 scattered surface_scatter(const surface *m, vec3 n, vec3 o, rng *g);
 
 // ---- lamps -----------------------------------------------------------------------
@@ -80,6 +85,9 @@ typedef struct {
     vec3 end;   // where a shadow ray ends: off the surface, if the lamp could hide itself
     int except; // and which body it may touch; -1: none
 } aim;
+
+// A lamp, each as likely; of a sphere a uniform direction in the cone in which x sees it, of a
+// mesh a uniform point.
 aim lamps_aim(const lamps *all, vec3 x, rng *g);
 
 // The density per steradian with which lamps_aim at x chooses the direction to the point h of

@@ -1,5 +1,5 @@
 // plain.h: the box by a path tracer as one writes it in an afternoon: doubles, spheres by
-// b² - c, triangles by Möller and Trumbore, every ray from t = 1e-6 on, no bounds on any error,
+// b² - c, triangles by Möller and Trumbore, hits from t = 1e-6 on, no bounds on any error,
 // and no scene of another kind. Beside it measure.c asks what the care of the course costs.
 #ifndef CHAPTER_IMPORTANCE_PLAIN_H
 #define CHAPTER_IMPORTANCE_PLAIN_H

@@ -80,16 +80,28 @@ static color walk(notebook *b, ray r, rng *g) {
     }
 }
 
+static bool same_light(color a, color b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static lit_room without_equations(lit_room sc) {
+    sc.bodies.equations = NULL;
+    return sc;
+}
+
 static void write_down(notebook *b) {
     const camera cam = box_camera(WALK_SIDE, WALK_SIDE);
+    const lit_room plain = without_equations(b->room);
     for (int i = 0; i < WALKS; i++) {
         b->g[i] = rng_sample(1, i % WALK_SIDE, i / WALK_SIDE, 0);
         b->from[i] = camera_ray(&cam, (real)(i % WALK_SIDE), (real)(i / WALK_SIDE));
-        rng g = b->g[i], again = b->g[i];
-        const vec3 L = walk(b, b->from[i], &g),
-                   same = light_trace(&b->room, b->from[i], WALK_DEPTH, &again);
-        if (L.x != same.x || L.y != same.y || L.z != same.z)
+        rng g = b->g[i], again = b->g[i], once_more = b->g[i];
+        const color L = light_trace(&b->room, b->from[i], WALK_DEPTH, &g);
+        if (!same_light(L, walk(b, b->from[i], &again)))
             die(EXIT_RUN, "speed.h: walk() no longer does what light_trace does");
+        if (sizeof(real) == sizeof(float) &&
+            !same_light(L, light_trace(&plain, b->from[i], WALK_DEPTH, &once_more)))
+            die(EXIT_RUN, "speed.h: the equations of the planes change the light");
     }
 }
 
@@ -111,8 +123,7 @@ static void do_all(void *data) {
 
 static void do_all_plainly(void *data) {
     const notebook *b = data;
-    lit_room plain = b->room;
-    plain.bodies.equations = NULL;
+    const lit_room plain = without_equations(b->room);
     walk_all(b, &plain);
 }
 

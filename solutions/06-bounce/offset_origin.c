@@ -1,7 +1,7 @@
 #include "chapters/06-bounce/bounce.h"
 
 // One or two numbers further in the direction of the step, so that rounding
-// p + step to the nearest never takes any of it back.
+// p + step to the nearest never takes any of it back. (0 stays 0: a sum that is 0 is exact.)
 static real away(real x, real direction) {
     const int sign = (direction > 0) - (direction < 0);
     return x + sign * (REAL_EPSILON * fabs(x));

@@ -8,9 +8,9 @@ static double reflectance(double c, double eta, double k) {
     const double im = 2 * eta * k, a2b2 = sqrt(re * re + im * im); // a² + b²
     const double larger = sqrt((a2b2 + fabs(re)) / 2);
     const double a = re > 0 ? larger : larger > 0 ? eta * k / larger : 0;
-    const double u = a2b2 + c * c, v = 2 * a * c, Rs = (u - v) / (u + v);
-    const double p = a2b2 * c * c + sin2 * sin2, q = v * sin2;
-    return Rs * (1 + (p - q) / (p + q)) / 2;
+    const double u = a2b2 + c * c, v = 2 * a * c;              // R_s = (u - v) / (u + v)
+    const double p = a2b2 * c * c + sin2 * sin2, q = v * sin2; // R_p = R_s (p - q) / (p + q)
+    return (u - v) * p / ((u + v) * (p + q));                  // the mean of both
 }
 
 color fresnel_conductor(real cosine, color eta, color k) {
