@@ -142,6 +142,12 @@ for (const language of languages) {
         broken,
         covered,
         dollars: /\$/.test(s.textContent),
+        cut: [...s.querySelectorAll('pre')].some((e) => {
+          const words = document.createRange();
+          words.selectNodeContents(e);
+          const room = e.getBoundingClientRect().right - parseFloat(getComputedStyle(e).paddingRight) * scale;
+          return words.getBoundingClientRect().right > room + scale || e.scrollWidth > e.clientWidth;
+        }),
         errors: s.querySelectorAll('mjx-merror, [data-mml-node="merror"], [data-mjx-error]').length,
       };
     }));
@@ -151,6 +157,7 @@ for (const language of languages) {
     if (s.tall > 0) say(`${where}: ${s.tall} pixels too tall`);
     if (s.wide > 0) say(`${where}: ${s.wide} pixels too wide`);
     if (s.covered) say(`${where}: words stand on the picture`);
+    if (s.cut) say(`${where}: code wider than its column`);
     if (s.dollars) say(`${where}: a formula is shown as text: a blank beside its $`);
     if (s.errors) say(`${where}: a formula is broken`);
     for (const b of s.broken) say(`${where}: a picture is not shown: ${b}`);
