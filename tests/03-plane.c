@@ -29,6 +29,19 @@ static allowance double_inside(plane P, ray r) {
                        "double inside, one rounding out");
 }
 
+// The whole line is asked for: what a miss looks like then.
+static void suspect_miss(void) {
+    suspect_value(
+        "a miss, but t_min is -infinity here: t < 0 counts too, and a plane is hit from "
+        "both sides",
+        NO_HIT);
+}
+
+static void suspect_threshold(void) {
+    suspect_value("a miss: only d·n == 0, exactly, is parallel, whatever it is measured by",
+                  NO_HIT);
+}
+
 // A plane and a ray in generic positions, |x|, |O| up to `size`, |d| about `speed`.
 static void generic(rng *g, real size, real speed, plane *P, ray *r) {
     P->x = scale(size, in_cube(g));
@@ -45,6 +58,7 @@ static void by_hand(void) {
     const plane P = {{1, 2, 2}, {2, -1, 3}};
     const ray r = {{4, -1, 5}, {1, 2, -3}};
     given_plane(P, r);
+    suspect_miss();
     suspect_value("O - x in place of x - O", -2);
     suspect_value("d·n over (x - O)·n: upside down", 0.5);
     suspect_value("n made a unit vector on one side of the fraction only", 2 / sqrt(14.0));
@@ -59,6 +73,7 @@ static void generic_planes(void) {
         generic(&g, 5, 2, &P, &r);
         const exact t = plane_t(P, r);
         given_plane(P, r);
+        suspect_miss();
         suspect_value("the distance from O, not t: t counts in |d|", (double)t * length(r.d));
         suspect_value("a plane through the origin: x is missing",
                       -(double)(dot(r.O, P.n) / dot(r.d, P.n)));
@@ -70,6 +85,7 @@ static void behind(void) {
     const plane P = {{0.25f, -1, 0.5f}, {0.5f, 2, -0.25f}};
     const ray r = {{1, 3, 2}, {0.5f, 0.75f, -1}};
     given_plane(P, r);
+    suspect_miss();
     CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), plane_t(P, r), double_inside(P, r));
     CHECK_REAL(plane_hit(P, r, 0, NO_HIT), NO_HIT, exactly());
 }
@@ -106,17 +122,33 @@ static void parallel(void) {
     CHECK_REAL(plane_hit(P, (ray){{0, 2, 0}, {0, 0, 0}}, 0, NO_HIT), NO_HIT, exactly());
 }
 
+// From 1e-20 to 1e20 times as long.
+static vec3 some_length(vec3 n, rng *g) {
+    return scale((real)pow(10, (int)(rng_bits(g) % 5) * 10 - 20), n);
+}
+
 // d·n far below any epsilon is still a hit, where d or n is short.
 static void no_epsilon(void) {
     rng g = rng_seed(3, 2);
-    for (int k = -12; k <= 12; k += 4) {
-        for (int i = 0; i < 100; i++) {
-            plane P;
-            ray r;
-            generic(&g, 5, (real)pow(10, k), &P, &r);
-            given_plane(P, r);
-            CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), plane_t(P, r), double_inside(P, r));
-        }
+    for (int i = 0; i < 2500; i++) {
+        plane P;
+        ray r;
+        generic(&g, 5, (real)pow(10, i % 25 - 12), &P, &r);
+        P.n = some_length(P.n, &g);
+        given_plane(P, r);
+        suspect_threshold();
+        CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), plane_t(P, r), double_inside(P, r));
+    }
+}
+
+// And where both are of length 1, but the ray all but parallel.
+static void nearly_parallel(void) {
+    const plane P = {{0, 0, 0}, {0, 1, 0}};
+    for (int k = 3; k <= 30; k += 3) {
+        const ray r = {{0, 1, 0}, {1, (real)-pow(10, -k), 0}};
+        given_plane(P, r);
+        suspect_threshold();
+        CHECK_REAL(plane_hit(P, r, 0, NO_HIT), plane_t(P, r), double_inside(P, r));
     }
 }
 
@@ -137,6 +169,7 @@ static void grazing(void) {
             r.d = at_slope(r.d, P.n, slopes[k]);
             if (dot(r.d, P.n) == 0) continue;
             given_plane(P, r);
+            suspect_threshold();
             CHECK_REAL(plane_hit(P, r, -NO_HIT, NO_HIT), plane_t(P, r), double_inside(P, r));
         }
     }
@@ -214,11 +247,6 @@ typedef struct {
     real slope;       // of the ray to the first plane; 0: any
     real speed;       // |d|, about
 } layout;
-
-// From 1e-20 to 1e20 times as long.
-static vec3 some_length(vec3 n, rng *g) {
-    return scale((real)pow(10, (int)(rng_bits(g) % 5) * 10 - 20), n);
-}
 
 static ray fill_planes(layout l, plane *P, int count, rng *g) {
     ray r;
@@ -478,7 +506,8 @@ int main(void) {
         {"plane_hit: either side of the plane", either_side,
          "A plane has no back that is invisible."},
         {"plane_hit: parallel rays", parallel, "d·n = 0: 0/0 or ±infinity must become NO_HIT."},
-        {"plane_hit: tiny and huge d", no_epsilon, only_zero},
+        {"plane_hit: tiny and huge d and n", no_epsilon, only_zero},
+        {"plane_hit: all but parallel", nearly_parallel, only_zero},
         {"plane_hit: grazing rays", grazing, double_inside},
         {"plane_hit: far from the origin", far_away,
          "Subtract first, and in double: (x - O)·n, not x·n - O·n."},

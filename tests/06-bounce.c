@@ -615,8 +615,10 @@ static void report(const char *what, hit h, vec3 d, vec3 q) {
 static void check_side(const char *what, hit h, vec3 d, vec3 q, double side, double want) {
     if (side == want) return;
     report(what, h, d, q);
-    CHECK(side != 0, "the start lies off the surface, on the side that d points to");
-    CHECK(side == want, "the start lies on the side of the surface that d points to");
+    const bool off_the_surface = side != 0;
+    CHECK(off_the_surface, "the start lies off the surface, on the side that d points to");
+    const bool on_the_side_of_d = side == want;
+    CHECK(on_the_side_of_d, "the start lies on the side of the surface that d points to");
 }
 
 // The next direction leaves on the side that the ray came from, or on the other.
@@ -642,7 +644,8 @@ static void spheres_at(double size, double distance, bool inside) {
         const double across = -2 * wide_dot(wide_sub(q, S.c), widen(d)); // to the far side
         report(inside ? "inside a sphere" : "outside a sphere", h, d, q);
         if (!inside) CHECK_REAL(again, NO_HIT, exactly());
-        if (inside) CHECK(again >= across / 2, "the next hit is the far side of the sphere");
+        const bool at_the_far_side = again >= across / 2;
+        if (inside) CHECK(at_the_far_side, "the next hit is the far side of the sphere");
     }
 }
 
@@ -724,23 +727,34 @@ static void triangle_starts(void) {
         }
 }
 
+static vec3 copied_signs(vec3 a, vec3 signs) {
+    return (vec3){copysign(a.x, signs.x), copysign(a.y, signs.y), copysign(a.z, signs.z)};
+}
+
+static vec3 offset_moved(vec3 p, vec3 error, vec3 n, vec3 d) {
+    return sub(offset_origin(p, error, n, d), p);
+}
+
 static void offset_by_hand(void) {
     const vec3 p = {3, -5, 7}, n = {(real)2 / 7, (real)-3 / 7, (real)6 / 7};
     const vec3 error = {(real)0.125, (real)0.25, (real)0.0625}, d = {1, 1, 1};
     // |n|·error = (2/8 + 3/4 + 6/16)/7 = 1.375/7
     const real reach = (real)(1.375 / 7);
+    const vec3 step = scale(reach, n);
     given("p = (3, -5, 7), error = (1/8, 1/4, 1/16), n = (2, -3, 6)/7; d on the side of n");
-    suspect_vec3("moved against n: the sign", sub(p, scale(reach, n)));
-    suspect_vec3("p itself: not moved", p);
-    suspect_vec3("n·error with the signs of n: they cancel",
-                 add(p, scale((real)(-0.125 / 7), n)));
-    suspect_vec3("p + error: moved by the error, not along n", add(p, error));
-    suspect_vec3("|error| along n, not |n|·error", add(p, scale(length(error), n)));
-    const allowance fair = roundings(8, "the sum, and one step further in each component");
-    CHECK_VEC3(offset_origin(p, error, n, d), add(p, scale(reach, n)), fair);
+    suspect_vec3("moved against n: the sign", neg(step));
+    suspect_vec3("p itself: not moved", (vec3){0, 0, 0});
+    suspect_vec3("n·error with the signs of n: they cancel", scale((real)(-0.125 / 7), n));
+    suspect_vec3("p + error: moved by the error, not along n", error);
+    suspect_vec3("|error| along n, not |n|·error", scale(length(error), n));
+    suspect_vec3("to the corner of the box p ± error: not along n", copied_signs(error, n));
+    suspect_vec3("n times error, axis by axis: not along n", mul(n, error));
+    const allowance fair = absolute_of(8 * REAL_EPSILON * length(p),
+                                       "the sum, and one step further in each component");
+    CHECK_VEC3(offset_moved(p, error, n, d), step, fair);
     given("the same with d on the other side");
-    suspect_vec3("along n, whatever side d is on", add(p, scale(reach, n)));
-    CHECK_VEC3(offset_origin(p, error, n, neg(d)), sub(p, scale(reach, n)), fair);
+    suspect_vec3("along n, whatever side d is on", step);
+    CHECK_VEC3(offset_moved(p, error, n, neg(d)), neg(step), fair);
 }
 
 // Rounding p + step to the nearest may take the step back: without an error, the
@@ -754,9 +768,9 @@ static void offset_rounded_away(void) {
         const wide3 moved = wide_sub(q, p);
         given("p = " VEC ", an error far under its last digit, n = " VEC ": start " VEC, ARG(p),
               ARG(n), ARG(q));
-        CHECK(moved.x * (double)n.x > 0 && moved.y * (double)n.y > 0 &&
-                  moved.z * (double)n.z > 0,
-              "every component moves, in the direction of n");
+        const bool all_along_n =
+            moved.x * (double)n.x > 0 && moved.y * (double)n.y > 0 && moved.z * (double)n.z > 0;
+        CHECK(all_along_n, "every component moves, in the direction of n");
         CHECK_AT_MOST(sqrt(wide_dot(moved, moved)), 4 * REAL_EPSILON * wide_length(p),
                       "no further than needed: a step or two of the last digit");
     }

@@ -39,7 +39,7 @@ hit plane_surface(plane P, ray r, real t);
 enum { EQUATIONS = 8 };
 typedef struct {
     double x[EQUATIONS], y[EQUATIONS], z[EQUATIONS]; // n, of any length
-    double D[EQUATIONS];  // n·x, within one rounding and DBL_EPSILON² of a few |n||x|
+    double D[EQUATIONS];  // n·x, worked out with twice a double's digits, and then rounded
     vec3 unit[EQUATIONS]; // n / |n|
 } plane_equations;
 
