@@ -406,7 +406,8 @@ static void reflect_straight(void) {
               1 + REAL_EPSILON, eta);
         hint_instead(above_1);
         CHECK_REAL(fresnel_dielectric((real)(1 + REAL_EPSILON), (real)eta), R0,
-                   relative_to(4 * REAL_EPSILON / fabs(eta - 1), "the cosine was rounded"));
+                   relative_to(8 * REAL_EPSILON / fmin(eta, 1),
+                               "r_s² and r_p² move by 4/eta times as much as the cosine"));
     }
 }
 
@@ -460,6 +461,7 @@ static void check_reflectance(double c, double eta) {
     const double far = far_cosine(c, eta);
     given("cosine = %.9g, eta = %.9g%s", c, eta, far > 0 ? "" : ": total reflection");
     suspect_reflectances(c, eta);
+    if (!(far > 0)) hint_instead("cos² θ_t = 1 - sin² θ / eta² is negative: what then?");
     const real R = fresnel_dielectric((real)c, (real)eta);
     CHECK_REAL(R, fresnel_exact(c, eta), far > 0 ? one_rounding(c, eta) : exactly());
     CHECK(R <= 1, "R is a share: never above 1");
@@ -754,7 +756,8 @@ static void share_mirrored(void) {
         suspect_value("mirrored and refracted turn about: probability 1/2, not R", 0.5);
         suspect_value("1 - R: mirrored and refracted are exchanged", 1 - R);
         suspect_value("never mirrored: is R asked, and is g used?", 0);
-        suspect_value("always mirrored: is cosine = -d·n? And is g used?", 1);
+        suspect_value(
+            "always mirrored: is cosine = -d·n? Is g used? Does refract get eta as it is?", 1);
         suspect_value("Schlick's R, not the exact one", schlick_exact(k.c, k.eta));
         suspect_value("R with eta upside down", fresnel_exact(k.c, 1 / k.eta));
         suspect_value("R with the cosine of the wrong side",
