@@ -85,8 +85,9 @@ static const char *const other_ways[OTHER_WAYS] = {
     [ALL_NORMALS] = "all normals of the surface, with the density D h.z, not those seen from o",
     [UNSTRETCHED] = "o itself was not stretched by alpha",
     [HEMISPHERE] = "uniform over the stretched hemisphere, as if o did not matter",
-    [HALF_SPHERE] = "what is mirrored was drawn above the height 0: it goes down to -w.z, w the "
-                    "stretched o",
+    [HALF_SPHERE] =
+        "what is mirrored was drawn above the height 0: it goes down to -w.z, w the "
+        "stretched o",
     [NOT_BACK] = "the normal was not stretched back by alpha",
 };
 
@@ -170,8 +171,10 @@ static void normal_from_g(void) {
         const real alpha = view(i, &o, &g);
         rng one = rng_seed(1, (uint64_t)i), other = one;
         GIVEN_VIEW(o, alpha, "draws of ggx_normal");
-        const vec3 first = ggx_normal(o, alpha, &one);
-        check_from_g("o and alpha", first, ggx_normal(o, alpha, &other));
+        const vec3 first = ggx_normal(o, alpha, &one), second = ggx_normal(o, alpha, &other);
+        given("o = " VEC ", alpha = %g, " TWICE, ARG(o), (double)alpha, ARG(first),
+              ARG(second));
+        check_from_g(first, second);
     }
 }
 

@@ -98,8 +98,9 @@ static void cosine_from_g(void) {
         const vec3 n = test_normal(i, &g);
         rng one = rng_seed(1, (uint64_t)i), other = one;
         given("n = " VEC ": draws of cosine_direction", ARG(n));
-        const vec3 first = cosine_direction(n, &one);
-        check_from_g("a normal n", first, cosine_direction(n, &other));
+        const vec3 first = cosine_direction(n, &one), second = cosine_direction(n, &other);
+        given("n = " VEC ", " TWICE, ARG(n), ARG(first), ARG(second));
+        check_from_g(first, second);
     }
 }
 
@@ -217,22 +218,31 @@ static void triangle_from_g(void) {
     for (int i = 0; i < 200; i++) {
         const triangle T = test_triangle(i, &g);
         rng one = rng_seed(1, (uint64_t)i), other = one;
+        given("p1 = " VEC ", p2 = " VEC ", p3 = " VEC, ARG(T.p1), ARG(T.p2), ARG(T.p3));
         const triangle_point p = triangle_sample(T, &one), q = triangle_sample(T, &other);
-        check_from_g("a triangle (the draws as u, v, t)", (vec3){p.u, p.v, p.t},
-                     (vec3){q.u, q.v, q.t});
+        const vec3 first = {p.t, p.u, p.v}, second = {q.t, q.u, q.v};
+        given("p1 = " VEC ", p2 = " VEC ", p3 = " VEC ", (t, u, v) " TWICE, ARG(T.p1),
+              ARG(T.p2), ARG(T.p3), ARG(first), ARG(second));
+        check_from_g(first, second);
     }
 }
 
 // A mean can speak of crowding only when all points are in the triangle.
-static void suspect_means(long beyond) {
+static void suspect_means(double u, double v, long beyond) {
     if (beyond > 0) {
-        suspect_value("as in the whole parallelogram: the half beyond the diagonal u + v = 1 is "
-                      "not brought back, or only in one coordinate",
-                      0.5);
+        suspect_value(
+            "as in the whole parallelogram: the half beyond the diagonal u + v = 1 is "
+            "not brought back, or only in one coordinate",
+            0.5);
         hint_instead("Points lie beyond the diagonal u + v = 1, in the other half of the "
                      "parallelogram. Bring that half back first: both u and v change.");
         return;
     }
+    if (fabs(u - 0.25) < 0.02 && fabs(v - 0.25) < 0.02)
+        suspect_value(
+            "too many points near p1, where u = v = 0: a root is missing, or the half "
+            "beyond the diagonal was shrunk, not turned",
+            0.25);
     suspect_value("the points crowd towards a corner: a strip across the triangle gets "
                   "as many points near the corner as at the broad end: a root is missing",
                   0.5);
@@ -255,7 +265,7 @@ static void triangle_mean(void) {
             given("the mean %c of 20,000 draws, %ld of them with u + v > 1; for the whole "
                   "triangle, its centre's, 1/3",
                   "uv"[k], beyond);
-            suspect_means(beyond);
+            suspect_means(u.mean, v.mean, beyond);
             CHECK_MEAN("the mean", both[k], 1.0 / 3, 0);
         }
     }
@@ -637,8 +647,8 @@ int main(void) {
         "If the tests above fail too, mend those first: this may be the same. If not: rng_real "
         "may give exactly 0, and almost 1. Is there a division, a root of what rounding makes "
         "negative?";
-    static const char *const from_g =
-        "Whatever is drawn comes from g, by rng_real(g), and nothing is kept for the next call.";
+    static const char *const from_g = "Whatever is drawn comes from g, by rng_real(g), and "
+                                      "nothing is kept for the next call.";
     static const char *const frames =
         "Is the frame right for every n, (0, 0, -1) and all around "
         "it too? orthonormal_basis is.";

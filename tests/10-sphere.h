@@ -235,7 +235,10 @@ static void sphere_from_g(void) {
         rng one = rng_seed(1, (uint64_t)i), other = one;
         GIVEN_SPHERE(S, x, "a draw");
         const vec3 first = sphere_direction(S, x, &one);
-        check_from_g("a sphere", first, sphere_direction(S, x, &other));
+        const vec3 second = sphere_direction(S, x, &other);
+        given("sphere c = " VEC ", r = %.9g, x = " VEC ", " TWICE, ARG(S.c), (double)S.r,
+              ARG(x), ARG(first), ARG(second));
+        check_from_g(first, second);
     }
 }
 
