@@ -85,9 +85,7 @@ static const char *const other_ways[OTHER_WAYS] = {
     [ALL_NORMALS] = "all normals of the surface, with the density D h.z, not those seen from o",
     [UNSTRETCHED] = "o itself was not stretched by alpha",
     [HEMISPHERE] = "uniform over the stretched hemisphere, as if o did not matter",
-    [HALF_SPHERE] =
-        "what is mirrored was drawn above the height 0: it goes down to -w.z, w the "
-        "stretched o",
+    [HALF_SPHERE] = "what is mirrored was drawn above the horizon: it goes down to -w.z",
     [NOT_BACK] = "the normal was not stretched back by alpha",
 };
 
@@ -172,7 +170,7 @@ static void normal_from_g(void) {
         rng one = rng_seed(1, (uint64_t)i), other = one;
         GIVEN_VIEW(o, alpha, "draws of ggx_normal");
         const vec3 first = ggx_normal(o, alpha, &one), second = ggx_normal(o, alpha, &other);
-        given("o = " VEC ", alpha = %g, " TWICE, ARG(o), (double)alpha, ARG(first),
+        given("o = " VEC ", alpha = %g, " ASKED_TWICE, ARG(o), (double)alpha, ARG(first),
               ARG(second));
         check_from_g(first, second);
     }

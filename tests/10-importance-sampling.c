@@ -99,7 +99,7 @@ static void cosine_from_g(void) {
         rng one = rng_seed(1, (uint64_t)i), other = one;
         given("n = " VEC ": draws of cosine_direction", ARG(n));
         const vec3 first = cosine_direction(n, &one), second = cosine_direction(n, &other);
-        given("n = " VEC ", " TWICE, ARG(n), ARG(first), ARG(second));
+        given("n = " VEC ", " ASKED_TWICE, ARG(n), ARG(first), ARG(second));
         check_from_g(first, second);
     }
 }
@@ -221,7 +221,7 @@ static void triangle_from_g(void) {
         given("p1 = " VEC ", p2 = " VEC ", p3 = " VEC, ARG(T.p1), ARG(T.p2), ARG(T.p3));
         const triangle_point p = triangle_sample(T, &one), q = triangle_sample(T, &other);
         const vec3 first = {p.t, p.u, p.v}, second = {q.t, q.u, q.v};
-        given("p1 = " VEC ", p2 = " VEC ", p3 = " VEC ", (t, u, v) " TWICE, ARG(T.p1),
+        given("p1 = " VEC ", p2 = " VEC ", p3 = " VEC ", (t, u, v) " ASKED_TWICE, ARG(T.p1),
               ARG(T.p2), ARG(T.p3), ARG(first), ARG(second));
         check_from_g(first, second);
     }

@@ -236,7 +236,7 @@ static void sphere_from_g(void) {
         GIVEN_SPHERE(S, x, "a draw");
         const vec3 first = sphere_direction(S, x, &one);
         const vec3 second = sphere_direction(S, x, &other);
-        given("sphere c = " VEC ", r = %.9g, x = " VEC ", " TWICE, ARG(S.c), (double)S.r,
+        given("sphere c = " VEC ", r = %.9g, x = " VEC ", " ASKED_TWICE, ARG(S.c), (double)S.r,
               ARG(x), ARG(first), ARG(second));
         check_from_g(first, second);
     }

@@ -151,7 +151,7 @@ static inline bool same_number(real a, real b) {
 
 // The same numbers, the same picture, on any number of threads. `first` and `second` were drawn
 // with g in the same state, of what is given.
-#define TWICE "asked twice with g in the same state: " VEC " and then " VEC
+#define ASKED_TWICE "asked twice with g in the same state: " VEC " and then " VEC
 static inline void check_from_g(vec3 first, vec3 second) {
     suspect_slip("numbers that do not come from g: rand(), a generator of your own, or "
                  "something kept from the call before? Then every run, and every number of "
