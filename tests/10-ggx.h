@@ -79,8 +79,15 @@ static double height_seen(vec3 o, wide3 h, double alpha) {
     return (s.w.z + s.mirrored.z) / (1 + s.w.z);
 }
 
-// The mean height of normals drawn otherwise.
-enum { ALL_NORMALS, UNSTRETCHED, HEMISPHERE };
+// Normals drawn otherwise.
+enum { ALL_NORMALS, UNSTRETCHED, HEMISPHERE, HALF_SPHERE, NOT_BACK, OTHER_WAYS };
+static const char *const other_ways[OTHER_WAYS] = {
+    [ALL_NORMALS] = "all normals of the surface, with the density D h.z, not those seen from o",
+    [UNSTRETCHED] = "o itself was not stretched by alpha",
+    [HEMISPHERE] = "uniform over the stretched hemisphere, as if o did not matter",
+    [HALF_SPHERE] = "what is mirrored was drawn above the horizon: it goes down to -w.z",
+    [NOT_BACK] = "the normal was not stretched back by alpha",
+};
 
 static wide3 other_normal(int how, vec3 o, double alpha, rng *g) {
     const double phi = between(g, 0, 2 * PI), u = rng_double(g);
@@ -88,18 +95,25 @@ static wide3 other_normal(int how, vec3 o, double alpha, rng *g) {
         const double tangent = alpha * sqrt(u / (1 - u));
         return (wide3){tangent * cos(phi), tangent * sin(phi), 1};
     }
-    const wide3 w = widen(o);
-    const double z = how == UNSTRETCHED ? 1 - u * (1 + w.z) : 1 - u, s = sqrt(1 - z * z);
-    if (how == HEMISPHERE) return (wide3){alpha * s * cos(phi), alpha * s * sin(phi), z};
-    return (wide3){alpha * (s * cos(phi) + w.x), alpha * (s * sin(phi) + w.y), z + w.z};
+    const double there = how == UNSTRETCHED ? 1 : alpha, back = how == NOT_BACK ? 1 : alpha;
+    const wide3 w = how == HEMISPHERE ? (wide3){0, 0, 0}
+                                      : wide_unit((wide3){there * o.x, there * o.y, o.z});
+    const double lowest = how == HALF_SPHERE ? 0 : -w.z;
+    const double z = 1 - u * (1 - lowest), s = sqrt(fmax(1 - z * z, 0));
+    return (wide3){back * (s * cos(phi) + w.x), back * (s * sin(phi) + w.y), z + w.z};
 }
 
 static double other_mean(int how, vec3 o, double alpha, rng *g) {
     double sum = 0;
-    enum { DRAWS = 20000 };
+    enum { DRAWS = 100000 };
     for (int i = 0; i < DRAWS; i++)
         sum += height_seen(o, other_normal(how, o, alpha, g), alpha);
     return sum / DRAWS;
+}
+
+// Worth the time to ask what it looks like? CHECK_MEAN itself allows 5.
+static bool looks_off(const running *s, double expected) {
+    return !(fabs(s->mean - expected) <= 4 * running_standard_error(s));
 }
 
 static void normal_mean(void) {
@@ -109,20 +123,14 @@ static void normal_mean(void) {
         const real alpha = view(i, &o, &g);
         GIVEN_VIEW(o, alpha, "draws of ggx_normal");
         running height = {0};
-        for (int k = 0; k < 10000; k++)
+        for (int k = 0; k < 40000; k++)
             running_add(&height, height_seen(o, widen(ggx_normal(o, alpha, &g)), alpha));
-        const double all = other_mean(ALL_NORMALS, o, alpha, &g);
-        const double unstretched = other_mean(UNSTRETCHED, o, alpha, &g);
-        const double hemisphere = other_mean(HEMISPHERE, o, alpha, &g);
         GIVEN_VIEW(o, alpha,
                    "a number that is uniform from 0 to 1 for the normals seen from o "
-                   "(how high the stretched normal mirrors o), its mean over 10,000 "
+                   "(how high the stretched normal mirrors o), its mean over 40,000 "
                    "draws");
-        suspect_value(
-            "all normals of the surface, with the density D h.z, not those seen from o", all);
-        suspect_value("o itself was not stretched by alpha", unstretched);
-        suspect_value("uniform over the stretched hemisphere, as if o did not matter",
-                      hemisphere);
+        for (int how = 0; looks_off(&height, 0.5) && how < OTHER_WAYS; how++)
+            suspect_value(other_ways[how], other_mean(how, o, alpha, &g));
         CHECK_MEAN("the mean height", &height, 0.5, 1e-5);
     }
 }
@@ -159,6 +167,36 @@ static void normal_rare(void) {
     }
 }
 
+static void normal_from_g(void) {
+    rng g = check_rng(94);
+    for (int i = 0; i < 10 * VIEWS; i++) {
+        vec3 o;
+        const real alpha = view(i, &o, &g);
+        rng one = rng_seed(1, (uint64_t)i), other = one;
+        GIVEN_VIEW(o, alpha, "draws of ggx_normal");
+        const vec3 first = ggx_normal(o, alpha, &one), second = ggx_normal(o, alpha, &other);
+        given("o = " VEC ", alpha = %g, " ASKED_TWICE, ARG(o), (double)alpha, ARG(first),
+              ARG(second));
+        check_from_g(first, second);
+    }
+}
+
+enum { ENERGY_DRAWS = 60000 };
+
+static vec3 lit_from(bool straight, rng *g) {
+    return from_height(straight ? 1 : sqrt(rng_double(g)), g);
+}
+
+static double energy_otherwise(int how, bool straight, real alpha, rng *g) {
+    double sum = 0;
+    for (int k = 0; k < ENERGY_DRAWS; k++) {
+        const vec3 o = lit_from(straight, g);
+        const vec3 h = narrow(wide_unit(other_normal(how, o, alpha, g)));
+        sum += ggx_weight(o, neg(reflect(o, h)), alpha);
+    }
+    return sum / ENERGY_DRAWS;
+}
+
 // Which share of the light a rough mirror of F = 1 sends out again, by one bounce: the mean
 // over all directions, and straight on. Independent integration; 1 - ln 2 in closed form.
 static void normal_energy(void) {
@@ -169,16 +207,19 @@ static void normal_energy(void) {
     rng g = check_rng(65);
     for (int i = 0; i < COUNT(rows); i++) {
         const real alpha = (real)fabs(rows[i].alpha);
+        const bool straight = rows[i].alpha < 0;
         running light = {0};
-        for (int k = 0; k < 60000; k++) {
-            const vec3 o = from_height(rows[i].alpha < 0 ? 1 : sqrt(rng_double(&g)), &g);
+        for (int k = 0; k < ENERGY_DRAWS; k++) {
+            const vec3 o = lit_from(straight, &g);
             const vec3 h = ggx_normal(o, alpha, &g), v = neg(reflect(o, h));
             running_add(&light, ggx_weight(o, v, alpha));
         }
         given(
             "a rough mirror of F = 1, alpha = %g: the share of the light that one bounce sends "
             "out, by 60,000 draws%s",
-            (double)alpha, rows[i].alpha < 0 ? ", o straight above" : " from all directions");
+            (double)alpha, straight ? ", o straight above" : " from all directions");
+        for (int how = 0; looks_off(&light, rows[i].albedo) && how < OTHER_WAYS; how++)
+            suspect_value(other_ways[how], energy_otherwise(how, straight, alpha, &g));
         CHECK_MEAN("the share of the light", &light, rows[i].albedo, 1e-6);
     }
 }

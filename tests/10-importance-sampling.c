@@ -92,6 +92,18 @@ static void cosine_rare(void) {
     }
 }
 
+static void cosine_from_g(void) {
+    rng g = check_rng(91);
+    for (int i = 0; i < 200; i++) {
+        const vec3 n = test_normal(i, &g);
+        rng one = rng_seed(1, (uint64_t)i), other = one;
+        given("n = " VEC ": draws of cosine_direction", ARG(n));
+        const vec3 first = cosine_direction(n, &one), second = cosine_direction(n, &other);
+        given("n = " VEC ", " ASKED_TWICE, ARG(n), ARG(first), ARG(second));
+        check_from_g(first, second);
+    }
+}
+
 // ---- cosine_probability ------------------------------------------------------------
 
 static void cosine_density(void) {
@@ -201,29 +213,80 @@ static void triangle_inside(void) {
     }
 }
 
+static void triangle_from_g(void) {
+    rng g = check_rng(92);
+    for (int i = 0; i < 200; i++) {
+        const triangle T = test_triangle(i, &g);
+        rng one = rng_seed(1, (uint64_t)i), other = one;
+        given("p1 = " VEC ", p2 = " VEC ", p3 = " VEC, ARG(T.p1), ARG(T.p2), ARG(T.p3));
+        const triangle_point p = triangle_sample(T, &one), q = triangle_sample(T, &other);
+        const vec3 first = {p.t, p.u, p.v}, second = {q.t, q.u, q.v};
+        given("p1 = " VEC ", p2 = " VEC ", p3 = " VEC ", (t, u, v) " ASKED_TWICE, ARG(T.p1),
+              ARG(T.p2), ARG(T.p3), ARG(first), ARG(second));
+        check_from_g(first, second);
+    }
+}
+
+// A mean can speak of crowding only when all points are in the triangle.
+static void suspect_means(double u, double v, long beyond) {
+    if (beyond > 0) {
+        suspect_value(
+            "as in the whole parallelogram: the half beyond the diagonal u + v = 1 is "
+            "not brought back, or only in one coordinate",
+            0.5);
+        hint_instead("Points lie beyond the diagonal u + v = 1, in the other half of the "
+                     "parallelogram. Bring that half back first: both u and v change.");
+        return;
+    }
+    if (fabs(u - 0.25) < 0.02 && fabs(v - 0.25) < 0.02)
+        suspect_value(
+            "too many points near p1, where u = v = 0: a root is missing, or the half "
+            "beyond the diagonal was shrunk, not turned",
+            0.25);
+    suspect_value("the points crowd towards a corner: a strip across the triangle gets "
+                  "as many points near the corner as at the broad end: a root is missing",
+                  0.5);
+    suspect_value("the points crowd towards a corner: a root is missing", 0.25);
+}
+
 static void triangle_mean(void) {
     rng g = check_rng(32);
     for (int i = 0; i < 8; i++) {
         const triangle T = test_triangle(i, &g);
         running u = {0}, v = {0};
+        long beyond = 0;
         for (int k = 0; k < 20000; k++) {
             const triangle_point q = triangle_sample(T, &g);
             running_add(&u, q.u), running_add(&v, q.v);
+            beyond += (double)q.u + q.v > 1 + 2 * (double)REAL_EPSILON;
         }
         const running *both[] = {&u, &v};
         for (int k = 0; k < 2; k++) {
-            given("the mean %c of 20,000 draws; for the whole triangle, its centre's, 1/3",
-                  "uv"[k]);
-            suspect_value(
-                "the points crowd towards a corner: a strip across the triangle gets "
-                "as many points near the corner as at the broad end: a root is missing",
-                0.5);
-            suspect_value("the points crowd towards a corner: a root is missing", 0.25);
-            suspect_value("u was drawn in [0, 1) and v in what it left: a root is missing",
-                          0.25);
+            given("the mean %c of 20,000 draws, %ld of them with u + v > 1; for the whole "
+                  "triangle, its centre's, 1/3",
+                  "uv"[k], beyond);
+            suspect_means(u.mean, v.mean, beyond);
             CHECK_MEAN("the mean", both[k], 1.0 / 3, 0);
         }
     }
+}
+
+// Where u, v and 1 - u - v are all above 1/6: a triangle of half the size, a quarter of the area.
+static void triangle_middle(void) {
+    rng g = check_rng(36);
+    running inside = {0};
+    for (int k = 0; k < 40000; k++) {
+        const triangle_point q = triangle_sample(generic_triangle(&g), &g);
+        running_add(&inside, fmin(fmin(q.u, q.v), 1 - (double)q.u - q.v) > 1.0 / 6);
+    }
+    given("which share of 40,000 draws lies where u, v and 1 - u - v are all above 1/6: a "
+          "quarter of the triangle's area, in its middle");
+    hint_instead(inside.mean > 0.25
+                     ? "The middle is too full. The sum of several random numbers crowds about "
+                       "its mean: are three divided by their sum?"
+                     : "The middle is too empty. Which part of the triangle has too many "
+                       "points, and do all of them lie in the triangle?");
+    CHECK_MEAN("the share", &inside, 0.25, 0);
 }
 
 // For uniform points (1 - u)² is uniform, and so is v / (1 - u).
@@ -408,6 +471,16 @@ static void area_whole(void) {
 
 // ---- balance_heuristic and power_heuristic --------------------------------------------
 
+// 1 - q / (p + q), rounded in several ways: near 1 a number has no digits for how far from it.
+static void suspect_difference(real p, real q) {
+    const real by_double = (real)((double)q / ((double)p + q)), by_real = q / (p + q),
+               by_ratio = 1 / (1 + p / q), other[] = {by_double, by_real, by_ratio};
+    for (int i = 0; i < COUNT(other); i++)
+        suspect_value("1 minus the other weight: that is rounded, and near 1 the difference "
+                      "keeps few digits. Divide p itself",
+                      (double)(1 - other[i]));
+}
+
 // First alike, by a factor of 1.3 to 3: all mistakes give numbers of one size there.
 static void balance_values(void) {
     rng g = check_rng(51);
@@ -423,6 +496,7 @@ static void balance_values(void) {
         suspect_value("p / q", p / q);
         suspect_value("q / p", q / p);
         suspect_value("1 / (p + q): this is the weight over p", 1 / (p + q));
+        suspect_difference((real)p, (real)q);
         suspect_value("1: the light is counted by both ways", 1);
         CHECK_REAL(balance_heuristic((real)p, (real)q), p / (p + q),
                    roundings(8, "a few operations"));
@@ -569,9 +643,12 @@ static void there_and_back(void) {
 int main(void) {
     static const char *const lambert =
         "The density must be cos θ / π: seen from above the draws fill the unit disc evenly.";
-    static const char *const rare_draws = "rng_real may give exactly 0, and almost 1. Is there "
-                                          "a division, a root of what rounding "
-                                          "makes negative, a direction into the surface?";
+    static const char *const rare_draws =
+        "If the tests above fail too, mend those first: this may be the same. If not: rng_real "
+        "may give exactly 0, and almost 1. Is there a division, a root of what rounding makes "
+        "negative?";
+    static const char *const from_g = "Whatever is drawn comes from g, by rng_real(g), and "
+                                      "nothing is kept for the next call.";
     static const char *const frames =
         "Is the frame right for every n, (0, 0, -1) and all around "
         "it too? orthonormal_basis is.";
@@ -602,6 +679,7 @@ int main(void) {
         {"cosine_direction: the mean cosine is 2/3", cosine_mean, lambert},
         {"cosine_direction: chi² against cos θ / π", cosine_cells, lambert},
         {"cosine_direction: the rarest random numbers", cosine_rare, rare_draws},
+        {"cosine_direction: the same g, the same draw", cosine_from_g, from_g},
         {"cosine_probability: cos θ / π, above the surface", cosine_density, lambert},
         {"cosine_probability: its integral is 1", cosine_density_whole, lambert},
         {"cosine_probability: belongs to cosine_direction", cosine_belongs, together},
@@ -611,6 +689,7 @@ int main(void) {
         {"sphere_direction: chi² against the uniform cone", sphere_cells, cone_hint},
         {"sphere_direction: r/|x - c| = 1e-6", sphere_tiny, cancels},
         {"sphere_direction: the rarest random numbers", sphere_rare, rare_draws},
+        {"sphere_direction: the same g, the same draw", sphere_from_g, from_g},
         {"sphere_direction: the light of a sphere", sphere_light, cone_hint},
         {"sphere_direction: the variance of one draw", sphere_variance, cone_hint},
         {"sphere_probability: 1 / (2π (1 - cos θ_max))", sphere_density,
@@ -622,8 +701,10 @@ int main(void) {
         {"triangle_sample: in the triangle", triangle_inside,
          "u and v of two random numbers fill a parallelogram, twice the triangle."},
         {"triangle_sample: the mean is the centre", triangle_mean, area},
+        {"triangle_sample: the quarter in the middle", triangle_middle, area},
         {"triangle_sample: chi² against equal areas", triangle_cells, area},
         {"triangle_sample: the rarest random numbers", triangle_rare, rare_draws},
+        {"triangle_sample: the same g, the same draw", triangle_from_g, from_g},
         {"triangle_sample: the light of a triangle", triangle_light, area},
         {"solid_angle_probability: |y - x|² / (area |cos θ'|)", area_values, patch},
         {"solid_angle_probability: from 1e-15 to 1e15", area_scales,
@@ -638,6 +719,7 @@ int main(void) {
         {"ggx_normal: the mean of what is seen", normal_mean, normals},
         {"ggx_normal: chi² against the visible normals", normal_cells, normals},
         {"ggx_normal: the rarest random numbers", normal_rare, rare_draws},
+        {"ggx_normal: the same g, the same draw", normal_from_g, from_g},
         {"ggx_normal: the energy of a rough mirror", normal_energy, normals},
         {"ggx_normal_probability: G1 (o·h) D / o.z", seen_density, view_hint},
         {"ggx_normal_probability: 0 for what is not seen", unseen_density, view_hint},

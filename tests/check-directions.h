@@ -143,4 +143,23 @@ static inline void count_repeat(repeats *r, vec3 v) {
     r->alike += v.x == r->first.x && v.y == r->first.y && v.z == r->first.z;
 }
 
+// ---- draws come from g -----------------------------------------------------------------
+
+static inline bool same_number(real a, real b) {
+    return a == b || (isnan(a) && isnan(b)); // NaN is another test's
+}
+
+// The same numbers, the same picture, on any number of threads. `first` and `second` were drawn
+// with g in the same state, of what is given.
+#define ASKED_TWICE "asked twice with g in the same state: " VEC " and then " VEC
+static inline void check_from_g(vec3 first, vec3 second) {
+    suspect_slip("numbers that do not come from g: rand(), a generator of your own, or "
+                 "something kept from the call before? Then every run, and every number of "
+                 "threads, draws another picture");
+    const bool the_same_draw_twice = same_number(first.x, second.x) &&
+                                     same_number(first.y, second.y) &&
+                                     same_number(first.z, second.z);
+    CHECK(the_same_draw_twice, "the same draw, bit for bit: g alone decides");
+}
+
 #endif

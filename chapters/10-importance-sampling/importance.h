@@ -158,7 +158,8 @@ vec3 sphere_direction(sphere S, vec3 x, rng *g);
 
 // The density of sphere_direction at the unit vector v: 1 / (2π (1 - cos θ_max)) in the cone,
 // to the last digits for small cones and large ones: double inside, and no cancellation.
-// 0 where the ray (x, v) misses the sphere, and for x in it.
+// 0 where the ray (x, v) misses the sphere, and for x in it. For x on the surface itself, at
+// |x - c| = r to the last digit, either is right: rounding decides who is there.
 real sphere_probability(sphere S, vec3 x, vec3 v);
 
 // A uniform point of the triangle: u, v of triangle_point (t is set to 0).
@@ -171,6 +172,7 @@ real solid_angle_probability(vec3 x, vec3 y, vec3 n_y, real area);
 
 // The balance heuristic: the weight p / (p + q) of a sample that had the density p, and
 // would have had q by the other way. p, q >= 0, not both 0, and one of them may be INFINITY.
+// Right to a few roundings of the weight itself, however small it is.
 real balance_heuristic(real p, real q);
 
 #endif

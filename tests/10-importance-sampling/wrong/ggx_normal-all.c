@@ -1,5 +1,6 @@
 // Wrong: all normals of the surface, seen or not.
 // Expect: turned away from o is not seen
+// Expect: with the density D h.z, not those seen from o
 #include "chapters/10-importance-sampling/ggx.h"
 
 vec3 ggx_normal(vec3 o, real alpha, rng *g) {

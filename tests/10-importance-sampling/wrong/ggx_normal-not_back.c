@@ -1,5 +1,6 @@
 // Wrong: the normal is not stretched back.
 // Expect: turned away from o is not seen
+// Expect: not stretched back by alpha
 #include "chapters/10-importance-sampling/ggx.h"
 
 vec3 ggx_normal(vec3 o, real alpha, rng *g) {

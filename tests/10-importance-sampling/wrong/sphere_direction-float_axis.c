@@ -1,5 +1,6 @@
 // Wrong: the axis rounded to float.
 // Expect: was the axis rounded to float?
+// Expect: A draw is the axis and a little aside
 #include "chapters/10-importance-sampling/importance.h"
 #include "common/wide3.h"
 

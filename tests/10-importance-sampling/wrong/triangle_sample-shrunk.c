@@ -1,5 +1,5 @@
 // Wrong: the other half is shrunk into the triangle, not folded.
-// Expect: the mean
+// Expect: was shrunk, not turned
 #include "chapters/10-importance-sampling/importance.h"
 
 triangle_point triangle_sample(triangle T, rng *g) {

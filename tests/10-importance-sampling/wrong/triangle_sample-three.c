@@ -1,5 +1,5 @@
 // Wrong: three random numbers divided by their sum: more in the middle.
-// Expect: 8 x 12 cells of equal area
+// Expect: The middle is too full
 #include "chapters/10-importance-sampling/importance.h"
 
 triangle_point triangle_sample(triangle T, rng *g) {
