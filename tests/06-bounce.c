@@ -195,6 +195,19 @@ static void fuzz_mean(void) {
     }
 }
 
+static void fuzz_from_g(void) {
+    rng g = rng_seed(6, 30);
+    for (int i = 0; i < 200; i++) {
+        const vec3 n = generic_unit(&g), d = neg(next_direction(n, &g));
+        rng one = rng_seed(1, (uint64_t)i), other = one;
+        const vec3 first = fuzzy_bounce(d, n, (real)0.3, &one),
+                   second = fuzzy_bounce(d, n, (real)0.3, &other);
+        given("d = " VEC ", n = " VEC ", fuzz 0.3, " ASKED_TWICE, ARG(d), ARG(n), ARG(first),
+              ARG(second));
+        check_from_g(first, second);
+    }
+}
+
 // ---- matte_bounce ----------------------------------------------------------------
 
 static void matte_differs(void) {
@@ -228,6 +241,17 @@ static void matte_draw(matte_draws *all, vec3 n, rng *g) {
     CHECK_REAL(wide_length(v), 1, roundings(10, "a unit vector"));
     if (dot(v, n) >= 0) return;
     if (all->below++ == 0) all->n = n, all->v = v;
+}
+
+static void matte_from_g(void) {
+    rng g = rng_seed(6, 31);
+    for (int i = 0; i < 200; i++) {
+        const vec3 n = generic_unit(&g);
+        rng one = rng_seed(1, (uint64_t)i), other = one;
+        const vec3 first = matte_bounce(n, &one), second = matte_bounce(n, &other);
+        given("n = " VEC ", " ASKED_TWICE, ARG(n), ARG(first), ARG(second));
+        check_from_g(first, second);
+    }
 }
 
 static void matte_unit(void) {
@@ -910,6 +934,8 @@ int main(void) {
     static const char *const loop = "Go through the loop by hand with one object and s = 1.";
     static const char *const away = "How far does the box p ± error reach along n? And which "
                                     "way does a rounding go?";
+    static const char *const from_g = "Whatever is drawn comes from g, by unit_vector(g) or "
+                                      "rng_real(g), and nothing is kept for the next call.";
     static const test tests[] = {
         {"reflect: worked out by hand", mirror_by_hand, mirror},
         {"reflect: 2000 generic mirrors", mirror_generic, mirror},
@@ -921,6 +947,8 @@ int main(void) {
         {"fuzzy_bounce: grazing, without fuzz", fuzz_grazing,
          "Here every new draw is the same: rounding put the mirrored ray into the surface."},
         {"fuzzy_bounce: the mean of 200,000", fuzz_mean, fuzzy},
+        {"fuzzy_bounce: the same g, the same draw", fuzz_from_g, from_g},
+        {"matte_bounce: the same g, the same draw", matte_from_g, from_g},
         {"matte_bounce: another direction every time", matte_differs,
          "Its random numbers come from g, and g must be the caller's: a fresh rng starts anew "
          "each time."},

@@ -42,6 +42,18 @@ static void direction_differs(void) {
     }
 }
 
+static void direction_from_g(void) {
+    rng g = check_rng(6);
+    for (int i = 0; i < 200; i++) {
+        const vec3 n = generic_unit(&g);
+        rng one = rng_seed(1, (uint64_t)i), other = one;
+        const vec3 first = hemisphere_direction(n, &one),
+                   second = hemisphere_direction(n, &other);
+        given("n = " VEC ", " ASKED_TWICE, ARG(n), ARG(first), ARG(second));
+        check_from_g(first, second);
+    }
+}
+
 static void direction_unit(void) {
     rng g = check_rng(2);
     long below = 0;
@@ -952,6 +964,16 @@ static void roulette_mean(void) {
     }
 }
 
+static void roulette_from_g(void) {
+    for (int i = 0; i < 200; i++) {
+        rng one = rng_seed(1, (uint64_t)i), other = one;
+        const vec3 first = {roulette((real)0.5, &one), 0, 0},
+                   second = {roulette((real)0.5, &other), 0, 0};
+        given("q = 0.5 (the weights as x), " ASKED_TWICE, ARG(first), ARG(second));
+        check_from_g(first, second);
+    }
+}
+
 // A path that goes on with q has 1/(1-q) segments in the mean, with the variance
 // q/(1-q)².
 static void roulette_length(void) {
@@ -1384,6 +1406,8 @@ int main(void) {
         "uniform already, and what is to be done with those below?";
     static const char *const equation =
         "L_e + f_r L_i (n·v) / probability: write down each of the five, with its π.";
+    static const char *const from_g =
+        "Whatever is drawn comes from g, and nothing is kept for the next call.";
     static const char *const facing = "n points to the side that r came from; h.front says.";
     static const char *const ends = "s bounces are left for this hit: none for s = 0, else "
                                     "s - 1 for the next.";
@@ -1396,6 +1420,7 @@ int main(void) {
     static const test tests[] = {
         {"hemisphere_direction: another direction every time", direction_differs,
          "Its random numbers come from g, and g must be the caller's."},
+        {"hemisphere_direction: the same g, the same draw", direction_from_g, from_g},
         {"hemisphere_direction: unit vectors above the surface", direction_unit, uniform},
         {"hemisphere_direction: the mean cosine is 1/2", direction_mean, uniform},
         {"hemisphere_direction: chi² against 1/(2π)", direction_cells,
@@ -1411,6 +1436,7 @@ int main(void) {
         {"bounce_ray: 40,000 odd paths", bounce_odd, "No cosine here is negative."},
         {"roulette: 0 or 1/q", roulette_values, honest},
         {"roulette: goes on with probability q, and the mean is 1", roulette_mean, honest},
+        {"roulette: the same g, the same weight", roulette_from_g, from_g},
         {"roulette: the length of paths", roulette_length, honest},
         {"roulette: q = 0 and q = 1", roulette_certain,
          "rng_real gives 0 now and then, and never 1: < or <= ?"},

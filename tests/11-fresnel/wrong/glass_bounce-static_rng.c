@@ -1,5 +1,5 @@
 // Wrong: a generator that lives from call to call: every run of the threads is another picture.
-// Expect: is it g that decides?
+// Expect: numbers that do not come from g
 #include "chapters/11-fresnel/fresnel.h"
 
 vec3 glass_bounce(vec3 d, vec3 n, real eta, rng *g) {
