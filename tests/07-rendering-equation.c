@@ -955,10 +955,11 @@ static void demand_a_number(double albedo) {
 }
 
 static void demand_width(bool too_narrow, double more, double most) {
-    DEMAND(!too_narrow, "the lobe is wider than the judge's directions, about 0.005 radians",
-           "by 1280 x 1920 directions the share %.3g of the light comes back, by 2560 x 3840 it "
-           "is %.3g: this lobe falls between them; make it wider",
-           more, most);
+    DEMAND(
+        !too_narrow, "the lobe is wider than the judge's directions, about 0.005 radians",
+        "by 1280 x 1920 directions the share %.3g of the light comes back, by 2560 x 3840 it "
+        "is %.3g: this lobe falls between them; make it wider",
+        more, most);
 }
 
 // By FEW directions more than rho came back.
@@ -967,9 +968,9 @@ static void conserves_by_more(double rho, double shine, vec3 n, vec3 w_o) {
     if (more <= rho * 1.01) return;
     const double most = own_albedo(rho, shine, n, w_o, MOST);
     demand_width(most < 0.98 * more, more, most);
-    DEMAND_AT_MOST("own_brdf, the share of the light that comes back, by 1280 x 1920 directions",
-                   more, rho * 1.01,
-                   "no more light leaves than rho of what arrives; 1 % is for the sum");
+    DEMAND_AT_MOST(
+        "own_brdf, the share of the light that comes back, by 1280 x 1920 directions", more,
+        rho * 1.01, "no more light leaves than rho of what arrives; 1 % is for the sum");
 }
 
 static void own_conserves(void) {
