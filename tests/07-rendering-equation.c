@@ -992,7 +992,7 @@ static void own_conserves(void) {
 static const char *why_so_little(double albedo, double before, double shine, vec3 n) {
     if (albedo == 0 && shine == 0 && own_albedo(0.8, 4, n, n, FEW) > 0)
         return "for shine = 4 something does: is the factor before the lobe 0 for shine = 0?";
-    if (albedo == 0 && before > 0)
+    if (albedo == 0 && before > 0 && shine > 1)
         return "for a smaller shine something does: is the lobe narrower than the judge's "
                "directions, 0.005 radians, or its factor 0?";
     if (albedo == 0) return WRONG_WAY;
