@@ -131,7 +131,8 @@ double directional_albedo(brdf f, const void *paint, vec3 n, vec3 w_o, int n_the
 // A BRDF of your own, with a lobe: anything but Lambert's that is finite, not negative,
 // reciprocal, and never reflects more than the share rho (0 to 1) of the light from any
 // direction, and at least rho / 10 straight on. shine >= 0: how narrow the lobe is, in
-// a measure of your own. n, w_i, w_o unit, w·n > 0, all pointing away from the surface.
+// a measure of your own; for shine up to 200 no narrower than 0.005 radians, or the tests'
+// directions miss it. n, w_i, w_o unit, w·n > 0, all pointing away from the surface.
 double own_brdf(double rho, double shine, vec3 n, vec3 w_i, vec3 w_o);
 
 #endif

@@ -1,4 +1,5 @@
 // Wrong: the whole disc is judged by its centre.
+// Expect: the whole disc was judged by its centre
 // Expect: Judge every point of the disc by itself.
 #include "chapters/07-rendering-equation/rendering.h"
 

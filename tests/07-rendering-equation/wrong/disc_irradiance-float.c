@@ -1,4 +1,5 @@
 // Wrong: all in float: the fourth power of a large distance is infinite.
+// Expect: infinity: divided by 0
 // Expect: Double inside
 #include "chapters/07-rendering-equation/rendering.h"
 
