@@ -992,8 +992,7 @@ static const struct {
     {"the correction's sign: Kahan's c is subtracted from the next term", added_kahan_sum},
     {"the sum is compared with x: compare their sizes, |sum| with |x|", signed_neumaier_sum},
     {"what is lost is itself summed in a plain float (Neumaier's), and of that sum much is "
-     "lost "
-     "in turn",
+     "lost in turn",
      neumaier_sum},
     {"what was lost is subtracted: its sign", subtracted_sum},
     {"the plain float sum: what it loses is not added, or is optimised away", plain_sum},

@@ -77,8 +77,9 @@ estimate estimate_pi(long n, rng *g);
 estimate monte_carlo(integrand f, const void *data, int dimensions, long n, rng *g);
 
 // The i-th of n = m² stratified points: one uniform point in each of the m x m squares,
-// every square exactly once over i = 0 .. n - 1; each coordinate in [0, 1), never 1:
-// what would round to 1 stays in the last column or row. The random numbers are rng_double's of g. 1 <= m <= 2^31.
+// every square exactly once over i = 0 .. n - 1; each coordinate in [0, 1), never 1: what would
+// round to 1 stays in the last column or row. The random numbers are rng_double's of g.
+// 1 <= m <= 2^31.
 point2 stratified_point(long i, long m, rng *g);
 
 // The radical inverse: the digits of i in `base` (2 to 1000) mirrored at the point.
