@@ -608,6 +608,21 @@ static void check_last_square(long m, rng nearly_one, const char *which, rng *an
           "but out of its square");
 }
 
+static void stratified_from_g(void) {
+    for (long i = 0; i < 200; i++) {
+        rng one = rng_seed(1, (uint64_t)i), other = one;
+        const point2 a = stratified_point(i % 4, 2, &one),
+                     b = stratified_point(i % 4, 2, &other);
+        given("m = 2, i = %ld, asked twice with g in the same state: (%.17g, %.17g) and then "
+              "(%.17g, %.17g)",
+              i % 4, a.u, a.v, b.u, b.v);
+        suspect_slip("numbers that do not come from g: rand(), a generator of your own, or "
+                     "something kept from the call before?");
+        const bool the_same_point_twice = a.u == b.u && a.v == b.v;
+        CHECK(the_same_point_twice, "the same point, bit for bit: g alone decides");
+    }
+}
+
 static void stratified_below_one(void) {
     rng g = largest_draw(), copy = g, any = check_rng(35);
     const double draw = rng_double(&copy);
@@ -1403,6 +1418,8 @@ int main(void) {
         {"stratified_point: one in each square", one_in_each_square, squares},
         {"stratified_point: uniform in its square", stratified_uniform,
          "Somewhere in the square: two draws from g."},
+        {"stratified_point: the same g, the same point", stratified_from_g,
+         "No static variables, no generator of its own."},
         {"stratified_point: never 1", stratified_below_one,
          "m - 1 plus nearly 1, rounded, divided by m."},
         {"stratified_point: m = 2^31", stratified_huge, squares},
