@@ -5,21 +5,13 @@
 
 #include "chapters/08-monte-carlo/monte_carlo.h"
 #include "common/exact3.h"
+#include "tests/check-directions.h"
 #include "tests/check.h"
 
-static const double false_alarm = 1e-6; // of a chi² test of a right answer
-static const double u64 = 0x1p-53;      // a rounding of double
-
-// chi² of `count` draws in `cells` cells of equal probability.
-static double chi2_of(const long *cell, int cells, long count) {
-    double chi2 = 0;
-    const double want = (double)count / cells;
-    for (int i = 0; i < cells; i++) chi2 += (cell[i] - want) * (cell[i] - want) / want;
-    return chi2;
-}
+static const double u64 = 0x1p-53; // a rounding of double
 
 static void check_chi2(const long *cell, int cells, long count) {
-    CHECK_AT_MOST(chi2_of(cell, cells, count), chi2_limit(cells - 1, false_alarm),
+    CHECK_AT_MOST(chi2_of(cell, cells, count), chi2_limit(cells - 1, FALSE_ALARM),
                   "chi² that a right answer exceeds once in a million");
 }
 
@@ -46,10 +38,6 @@ static const char *const stands =
     "seeded here";
 static const char *const all_the_same =
     "all points are the same: draw from g itself, not from a copy, and seed nothing here";
-
-static bool same_state(rng a, rng b) {
-    return a.state == b.state && a.increment == b.increment;
-}
 
 static const char *const whole_share =
     "0 but for n = 1: is the share divided in whole numbers, in / n?";
@@ -578,12 +566,9 @@ static rng largest_draw(void) {
 }
 
 // The generator that draws one number of rng_double, and then those of g: the step of two
-// numbers of 32 bits, back. Newton's iteration gives the inverse of the factor, modulo 2^64.
+// numbers of 32 bits, back.
 static rng one_draw_before(rng g) {
-    const uint64_t factor = 6364136223846793005u;
-    uint64_t inverse = factor; // 3 bits are right, and each step doubles them
-    for (int i = 0; i < 5; i++) inverse *= 2 - factor * inverse;
-    for (int i = 0; i < 2; i++) g.state = (g.state - g.increment) * inverse;
+    for (int i = 0; i < 2; i++) g.state = (g.state - g.increment) * inverse_of(multiplier);
     return g;
 }
 

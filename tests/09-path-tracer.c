@@ -363,6 +363,9 @@ static void shining_ball(path_tracer f, uint64_t stream) {
                      sub(e, tint));
         suspect_vec3("the emission is missing", tint);
         suspect_vec3("the emission counts twice", add(tint, scale(2, e)));
+        suspect_vec3(
+            "the reflected light twice: is the cosine n·v there, and the density 1/(2π)?",
+            add(scale(2, tint), e));
         suspect_vec3("the emission filtered by the albedo: C is coloured before L collects",
                      add(tint, mul(tint, e)));
         const real slip = (real)-cos(theta);

@@ -806,11 +806,6 @@ static void never_mirrored(void) {
     }
 }
 
-// Two numbers for one choice are none too few: the chances would not add up to 1.
-static bool same_state(rng a, rng b) {
-    return a.state == b.state && a.increment == b.increment;
-}
-
 static void draws_from_g(void) {
     rng g = check_rng(22);
     for (int i = 0; i < 200; i++) {
@@ -824,6 +819,7 @@ static void draws_from_g(void) {
     }
 }
 
+// Two numbers for one choice are none too few: the chances would not add up to 1.
 static void draws_once(void) {
     rng g = check_rng(20);
     for (int i = 0; i < 2000; i++) {

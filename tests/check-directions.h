@@ -89,17 +89,18 @@ static inline void tally_add(tally *t, double height, double around) {
     t->count++;
 }
 
-static inline double chi2_of(const tally *t) {
-    const double expected = (double)t->count / CELLS;
+// chi² of `count` draws in `cells` cells of equal probability.
+static inline double chi2_of(const long *cell, int cells, long count) {
+    const double expected = (double)count / cells;
     double chi2 = 0;
-    for (int i = 0; i < CELLS; i++)
-        chi2 += (t->cells[i] - expected) * (t->cells[i] - expected) / expected;
+    for (int i = 0; i < cells; i++)
+        chi2 += (cell[i] - expected) * (cell[i] - expected) / expected;
     return chi2;
 }
 
-#define CHECK_UNIFORM(t)                                                             \
-    check_at_most(__FILE__, __LINE__, "chi² of the counts in the cells", chi2_of(t), \
-                  chi2_limit(CELLS - 1, FALSE_ALARM),                                \
+#define CHECK_UNIFORM(t)                                                                      \
+    check_at_most(__FILE__, __LINE__, "chi² of the counts in the cells",                      \
+                  chi2_of((t)->cells, CELLS, (t)->count), chi2_limit(CELLS - 1, FALSE_ALARM), \
                   "chi² that a right answer exceeds once in a million")
 
 // Of a tally of directions: is about half of the angle empty?
@@ -144,6 +145,10 @@ static inline void count_repeat(repeats *r, vec3 v) {
 }
 
 // ---- draws come from g -----------------------------------------------------------------
+
+static inline bool same_state(rng a, rng b) {
+    return a.state == b.state && a.increment == b.increment;
+}
 
 static inline bool same_number(real a, real b) {
     return a == b || (isnan(a) && isnan(b)); // NaN is another test's

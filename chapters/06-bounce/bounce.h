@@ -45,8 +45,8 @@ color clear_sky(vec3 d);
 
 // The scene with the equations of its planes, if they are many, worked out once for many rays:
 // what is asked of it below has the same answer sooner, but for what equations_hit may be off
-// in t, and for the larger hit.error, with REAL=double, that covers it. The planes must stay as they are until scene_release, which
-// frees the equations, and nothing else.
+// in t, and for the larger hit.error, with REAL=double, that covers it. The planes must stay as
+// they are until scene_release, which frees the equations, and nothing else.
 scene scene_prepare(scene sc);
 void scene_release(scene *sc);
 
